@@ -110,7 +110,7 @@ export default function looks(world) {
       }));
       reached.add(part ? 'part' : id);
     }
-    for (const id of ['view', 'divider', 'open', 'theme', 'show-help', 'fold', 'mode', 'detail', 'compare', 'second', 'coloring', 'wireframe', 'flat', 'background', 'part', 'turn', 'z-up', 'reset', 'picture', 'download', 'save-stri', 'save-glb', 'to-gallery']) {
+    for (const id of ['view', 'divider', 'open', 'theme', 'show-help', 'fold', 'mode', 'detail', 'compare', 'second', 'coloring', 'wireframe', 'flat', 'background', 'part', 'turn', 'z-up', 'reset', 'picture', 'download', 'save-level', 'save-stri', 'save-glb', 'to-gallery']) {
       assert.ok(reached.has(id), `${id} is reached by Tab: ${[...reached]}`);
     }
   });

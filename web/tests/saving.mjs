@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { copyFileSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { drop } from './files.mjs';
-import { run, shot, state, untilWhole } from './harness.mjs';
+import { run, shot, slide, state, untilWhole } from './harness.mjs';
 import { note, openModel, pageTest } from './pages.mjs';
 
 /** Clicks a button that saves, and returns the file and what the command says about it. */
@@ -37,6 +37,9 @@ export default function saving(world) {
     await drop(page, 'torus.obj', obj);
     await untilWhole(page);
     await watchText(page, 'saving-text');
+    await page.locator('#save-level').waitFor();
+    const whole = await save(world, page, 'level');
+    assert.deepEqual([whole.name, whole.facts.triangle_count], [`torus-${triangles}.glb`, triangles]);
     for (const format of ['stri', 'glb']) {
       const { name, path, facts } = await save(world, page, format);
       assert.equal(name, `torus.${format}`);
@@ -67,6 +70,13 @@ export default function saving(world) {
     await shot(page, 'saved');
     const saved = await save(world, page, 'glb');
     assert.equal(saved.facts.triangle_count, 21_504);
+    // A level is for other programs: no stream, and as many triangles as the page shows.
+    await slide(page, 'detail', 500);
+    await page.waitForFunction(() => window.striataViewer.model.triangleCount < 15_000);
+    const shown = (await state(page)).triangleCount;
+    const level = await save(world, page, 'level');
+    assert.ok(Math.abs(level.facts.triangle_count - shown) <= 0.02 * shown, `${level.facts.triangle_count} of ${shown}`);
+    assert.ok(!readFileSync(level.path).includes('STRIATA_lod'));
   });
 
   pageTest(world, 'saving can be canceled', {}, async (page) => {

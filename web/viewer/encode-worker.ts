@@ -4,14 +4,21 @@ import { asPlain, asStriataError, type PlainError } from '../src/error.ts';
 import { decompressed } from '../src/unpack.ts';
 import { encode_file, initSync } from './wasm/striata-encoder.js';
 
-export type SavedFormat = 'stri' | 'glb';
+/** A stream, a GLB file with streams, or a GLB file of one level. */
+export type SavedFormat = 'level' | 'stri' | 'glb';
+
+/** What a file is to contain. */
+export interface Saved {
+  format: SavedFormat;
+  /** Number of triangles of the level. */
+  triangles: number;
+}
 
 /** What is to be encoded. */
-export interface EncodeOrder {
+export interface EncodeOrder extends Saved {
   module: WebAssembly.Module;
   bytes: ArrayBuffer;
   name: string;
-  format: SavedFormat;
 }
 
 /** What the worker answers. */
@@ -35,9 +42,9 @@ scope.onmessage = ({ data }) => {
   );
 };
 
-async function encode({ module, bytes, name, format }: EncodeOrder): Promise<Uint8Array<ArrayBuffer>> {
+async function encode({ module, bytes, name, format, triangles }: EncodeOrder): Promise<Uint8Array<ArrayBuffer>> {
   initSync({ module });
   const file = await decompressed(new Uint8Array(bytes), name);
   const sink = { report: (phase: string, share: number) => scope.postMessage({ type: 'progress', phase, share }) };
-  return encode_file(file.bytes, file.name, format, sink) as Uint8Array<ArrayBuffer>;
+  return encode_file(file.bytes, file.name, format, triangles, sink) as Uint8Array<ArrayBuffer>;
 }

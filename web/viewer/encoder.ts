@@ -1,8 +1,8 @@
-/** Encodes the file of a model as a stream or as a GLB file with streams, in a worker. */
+/** Encodes the file of a model as a stream, or as a GLB file with streams or of one level, in a worker. */
 
 import { fromPlain, StriataError } from '../src/error.ts';
 import { builderModule } from '../src/wasm.ts';
-import type { EncodeOrder, EncodeReport, SavedFormat } from './encode-worker.ts';
+import type { EncodeOrder, EncodeReport, SavedFormat, Saved } from './encode-worker.ts';
 import EncodeWorker from './encode-worker.ts?worker&inline';
 import type { ModelSource } from './sources.ts';
 import { wasmUrls } from './wasm-urls.ts';
@@ -12,7 +12,7 @@ export type OnEncodeProgress = (phase: string, share: number) => void;
 
 /** Encodes a model. Rejects with a `StriataError`, with code `aborted` if the signal is aborted. */
 export async function encodeModel(
-  source: ModelSource, format: SavedFormat, signal: AbortSignal, onProgress: OnEncodeProgress,
+  source: ModelSource, saved: Saved, signal: AbortSignal, onProgress: OnEncodeProgress,
 ): Promise<Blob> {
   onProgress('read', 0);
   const [module, bytes] = await Promise.all([builderModule(wasmUrls()), bytesOf(source, signal)]);
@@ -27,10 +27,10 @@ export async function encodeModel(
       };
       worker.onmessage = ({ data }: MessageEvent<EncodeReport>) => {
         if (data.type === 'progress') onProgress(data.phase, data.share);
-        else if (data.type === 'done') resolve(new Blob([data.bytes], { type: mediaType(format) }));
+        else if (data.type === 'done') resolve(new Blob([data.bytes], { type: mediaType(saved.format) }));
         else reject(fromPlain(data.error));
       };
-      const order: EncodeOrder = { module, bytes, name: source.name, format };
+      const order: EncodeOrder = { module, bytes, name: source.name, ...saved };
       worker.postMessage(order, [bytes]);
     });
   } finally {
@@ -57,4 +57,4 @@ function aborted(): StriataError {
   return new StriataError('aborted', 'saving was canceled');
 }
 
-const mediaType = (format: SavedFormat): string => (format === 'glb' ? 'model/gltf-binary' : 'application/octet-stream');
+const mediaType = (format: SavedFormat): string => (format === 'stri' ? 'application/octet-stream' : 'model/gltf-binary');

@@ -1,4 +1,4 @@
-/** Saves the model that is shown as a stream or a GLB file, with its progress in the panel. */
+/** Saves the model as a stream or a GLB file, or the level that is shown, with its progress in the panel. */
 
 import { StriataError } from '../src/index.ts';
 import { announce, element, setVisible } from './dom.ts';
@@ -8,13 +8,16 @@ import { formatBytes } from './format.ts';
 import { notify } from './notices.ts';
 import type { ModelSource } from './sources.ts';
 
-const FORMATS: SavedFormat[] = ['stri', 'glb'];
+const FORMATS: SavedFormat[] = ['level', 'stri', 'glb'];
 
 export class Saving {
   #source: ModelSource | null = null;
   #abort: AbortController | null = null;
+  readonly #shownTriangles: () => number;
 
-  constructor() {
+  /** `shownTriangles` counts the triangles of the level that is shown. */
+  constructor(shownTriangles: () => number) {
+    this.#shownTriangles = shownTriangles;
     for (const format of FORMATS) element(`save-${format}`).addEventListener('click', () => void this.save(format));
     element('cancel-saving').addEventListener('click', () => this.cancel());
   }
@@ -38,11 +41,13 @@ export class Saving {
     if (!source || this.#abort) return;
     const abort = new AbortController();
     this.#abort = abort;
-    const name = `${source.name.replace(/(\.\w+)?(\.gz|\.zst)?$/i, '') || 'model'}.${format}`;
+    const stem = source.name.replace(/(\.\w+)?(\.gz|\.zst)?$/i, '') || 'model';
+    const triangles = this.#shownTriangles();
+    const name = format === 'level' ? `${stem}-${triangles}.glb` : `${stem}.${format}`;
     this.#show(name, 'read', 0);
     announce(`Saving ${name}`);
     try {
-      const blob = await encodeModel(source, format, abort.signal, (phase, share) => this.#show(name, phase, share));
+      const blob = await encodeModel(source, { format, triangles }, abort.signal, (phase, share) => this.#show(name, phase, share));
       download(blob, name);
       announce(`Saved ${name}, ${formatBytes(blob.size)}`);
     } catch (error) {

@@ -59,7 +59,7 @@ export class Viewer {
   readonly #stats: Stats;
   readonly #frozen: FrozenView;
   readonly #tree: ModelTree;
-  readonly #saving = new Saving();
+  readonly #saving = new Saving(() => this.model?.triangleCount ?? 0);
   #source: ModelSource | null = null;
   #abort = new AbortController();
   #isOpening = false;
@@ -118,7 +118,7 @@ export class Viewer {
     } catch (error) {
       if (!(error instanceof StriataError && error.code === 'unsupported' && /\.striata(\.|$)/i.test(source.name))) throw error;
     }
-    const stream = await encodeModel(source, 'stri', abort.signal, (_, share) => this.#onProgress(abort, { ...NO_PROGRESS, phase: 'build', share }, source));
+    const stream = await encodeModel(source, { format: 'stri', triangles: 0 }, abort.signal, (_, share) => this.#onProgress(abort, { ...NO_PROGRESS, phase: 'build', share }, source));
     return load(stream);
   }
 

@@ -324,6 +324,7 @@ pub fn edited(
             (counts.images, "image", "images"),
             (counts.textures, "texture", "textures"),
             (counts.materials, "material", "materials"),
+            (counts.vertices, "vertex", "vertices"),
             (counts.meshes, "mesh", "meshes"),
         ];
         let parts = parts.into_iter().filter(|part| part.0 > 0);

@@ -87,7 +87,9 @@ impl WriteOptions {
 ///
 /// Normals, tangents, colors, weights and joints become integers of 8 bits, or of 16 bits if they need
 /// more. Texture coordinates that leave the range 0 to 1, or that
-/// [`meshopt`](WriteOptions::meshopt) compresses, remain floats of the given precision.
+/// [`meshopt`](WriteOptions::meshopt) compresses, remain floats of the given precision. Animated rotations become
+/// integers of 16 bits; with meshopt, times are rounded to 1/4096 s, and animated moves and scales to 16 bits of the
+/// largest.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct QuantizeOptions {
@@ -99,6 +101,8 @@ pub struct QuantizeOptions {
     pub texcoord_bits: u32,
     /// Bits per color channel, 1 to 16. Default: 8.
     pub color_bits: u32,
+    /// Bits per component of an animated rotation, 9 to 16. Default: 12.
+    pub rotation_bits: u32,
     /// Which meshes have a common grid. Default: those that touch.
     pub grid: GridScope,
 }
@@ -125,6 +129,7 @@ impl Default for QuantizeOptions {
             normal_bits: 8,
             texcoord_bits: 12,
             color_bits: 8,
+            rotation_bits: 12,
             grid: GridScope::Touching,
         }
     }
@@ -153,6 +158,12 @@ impl QuantizeOptions {
     #[must_use]
     pub fn with_color_bits(self, color_bits: u32) -> Self {
         Self { color_bits, ..self }
+    }
+
+    /// Sets [`rotation_bits`](Self::rotation_bits).
+    #[must_use]
+    pub fn with_rotation_bits(self, rotation_bits: u32) -> Self {
+        Self { rotation_bits, ..self }
     }
 
     /// Sets [`grid`](Self::grid).

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 use striata::mesh::shapes;
-use striata_io::{Format, Scene, Source, WriteOptions, read_scene_bytes, scene_to_bytes};
+use striata_io::{Format, QuantizeOptions, Scene, Source, WriteOptions, read_scene_bytes, scene_to_bytes};
 use striata_testing::scenes::{self, TestScene};
 
 fn read(scene: &TestScene) -> Scene {
@@ -174,4 +174,70 @@ fn keyframes_that_others_imply_are_left_out() {
     bent.document["animations"][0]["samplers"][2]["interpolation"] = json!("CUBICSPLINE");
     let (_, counts) = read(&bent).resampled(1e-4).expect("the data are valid");
     assert_eq!(counts, [10, 2 + 3]);
+}
+
+/// Keyframes of an animation as floats: for each sampler its times and values.
+fn keyframes(scene: &Scene) -> Vec<Vec<f64>> {
+    let document = scene.document();
+    let samplers = document["animations"][0]["samplers"].as_array().expect("samplers");
+    let numbers = |accessor: &Value| -> Vec<f64> {
+        let accessor = &document["accessors"][accessor.as_u64().expect("an index") as usize];
+        let view = &document["bufferViews"][accessor["bufferView"].as_u64().expect("a view") as usize];
+        let at = |value: &Value| value["byteOffset"].as_u64().unwrap_or(0) as usize;
+        let bytes = &scene.buffer()[at(view) + at(accessor)..];
+        let width = match accessor["type"].as_str() {
+            Some("SCALAR") => 1,
+            Some("VEC3") => 3,
+            _ => 4,
+        };
+        let count = width * accessor["count"].as_u64().expect("a count") as usize;
+        match accessor["componentType"].as_u64() {
+            Some(5122) => bytes.as_chunks().0[..count]
+                .iter()
+                .map(|&word| f64::from(i16::from_le_bytes(word)) / 32767.0)
+                .collect(),
+            _ => bytes.as_chunks().0[..count].iter().map(|&word| f32::from_le_bytes(word).into()).collect(),
+        }
+    };
+    samplers.iter().flat_map(|sampler| [numbers(&sampler["input"]), numbers(&sampler["output"])]).collect()
+}
+
+#[test]
+fn keyframes_are_rounded_within_bounds() {
+    let scene = read(&moving(200));
+    let plain = WriteOptions::default().with_quantize(QuantizeOptions::default());
+    for (options, bounds) in [
+        (plain.clone(), [0.0, 1e-3, 0.0, 0.0, 0.0, 0.0]),
+        (plain.with_meshopt(true), [2e-4, 2e-3, 2e-4, 2e-4, 2e-4, 4e-4]),
+    ] {
+        let glb = scene_to_bytes(Format::Glb, &scene, &options).expect("it can be written");
+        let found = keyframes(&read_scene_bytes(&glb, &Source::new("x.glb")).expect("it can be read"));
+        for ((found, exact), bound) in found.iter().zip(keyframes(&scene)).zip(bounds) {
+            assert_eq!(found.len(), exact.len());
+            let most = found.iter().zip(&exact).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+            assert!(most <= bound, "{most} {bound}");
+        }
+    }
+    let exact = scene_to_bytes(Format::Glb, &scene, &WriteOptions::default().with_meshopt(true));
+    let exact = read_scene_bytes(&exact.expect("it can be written"), &Source::new("x.glb"));
+    assert_eq!(keyframes(&exact.expect("it can be read")), keyframes(&scene));
+}
+
+/// Vertices that are equal in position and attributes become one, and triangles keep their order.
+#[test]
+fn equal_vertices_are_merged() {
+    let mut sample = scenes::empty();
+    let ball = shapes::icosphere(2, 1.0);
+    let mut soup = ball.clone();
+    soup.positions = ball.triangles.iter().flatten().map(|&v| ball.positions[v as usize]).collect();
+    soup.layers = ball.layers.iter().map(|layer| layer.gather(ball.triangles.as_flattened())).collect();
+    soup.triangles = (0..ball.triangles.len() as u32).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]).collect();
+    sample.push_mesh("ball", &soup);
+    sample.document["nodes"] = json!([{ "mesh": 0 }]);
+    sample.document["scenes"] = json!([{ "nodes": [0] }]);
+    let (merged, counts) = read(&sample).deduplicated();
+    assert_eq!(counts.vertices, soup.positions.len() - ball.positions.len());
+    let mesh = merged.meshes()[0].as_ref().expect("a mesh");
+    let corners = mesh.triangles.iter().flatten().map(|&v| mesh.positions[v as usize]);
+    assert!(corners.eq(soup.positions.iter().copied()));
 }

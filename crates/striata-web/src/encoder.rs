@@ -1,5 +1,5 @@
-//! Encodes a whole file of any format as a stream (`.stri`) or as a GLB file with streams, so that a page can
-//! save a model that was dropped on it.
+//! Encodes a whole file of any format as a stream (`.stri`), as a GLB file with streams, or as one of a single
+//! level, so that a page can save a model that was dropped on it.
 //!
 //! The file is read again instead of being taken from the model that is shown, because a page shows levels
 //! whose vertices are ordered for drawing, and because encoding runs in a worker of its own. Cost: the scene
@@ -7,8 +7,8 @@
 
 use striata::file::StriataFile;
 use striata::mesh::IndexedMesh;
-use striata::{Lod, LodOptions, ProgressFn};
-use striata_io::{Format, Scene, Source, read_scene_bytes};
+use striata::{Lod, LodOptions, ProgressFn, Target};
+use striata_io::{Format, Scene, Source, WriteOptions, read_scene_bytes, scene_to_bytes};
 use striata_scene::file::{SceneFile, is_scene_file};
 use striata_scene::stream::{SceneStreamDecoder, SceneStreamOptions, encode_scene_with_progress};
 use striata_scene::{GlbStreamOptions, LodScene, read_glb_with_stream};
@@ -17,22 +17,29 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use crate::progress::{Sink, reporter};
 use crate::{Failure, limits};
 
-/// Encodes a file as `stri` or `glb`, and reports the progress of each phase to a sink.
+/// Encodes a file as `stri`, as `glb`, or its `level` with a number of triangles as GLB, and reports the progress of
+/// each phase to a sink.
 ///
 /// The file is uncompressed; its name tells the format if its contents do not.
 ///
 /// # Errors
 /// If the file is damaged or of an unknown format, or the model is too large for a page.
 #[wasm_bindgen]
-pub fn encode_file(bytes: Vec<u8>, name: &str, format: &str, sink: &Sink) -> Result<Vec<u8>, Failure> {
+pub fn encode_file(
+    bytes: Vec<u8>,
+    name: &str,
+    format: &str,
+    triangles: u32,
+    sink: &Sink,
+) -> Result<Vec<u8>, Failure> {
     let mut progress = reporter(sink);
-    encode(bytes, name, format, &mut progress)
+    encode(bytes, name, (format, triangles), &mut progress)
 }
 
 fn encode(
     bytes: Vec<u8>,
     name: &str,
-    format: &str,
+    (format, triangles): (&str, u32),
     progress: &mut ProgressFn<'_>,
 ) -> Result<Vec<u8>, Failure> {
     limits::check_file(bytes.len())?;
@@ -50,8 +57,19 @@ fn encode(
             let lods = lods.map_err(Failure::corrupt)?;
             lods.to_glb_with_stream(&GlbStreamOptions::default()).map_err(Failure::unsupported)
         }
+        "level" => {
+            let is_whole = triangles as usize >= scene.triangle_count();
+            let level = if is_whole { scene } else { level_of(&scene, triangles, progress)? };
+            scene_to_bytes(Format::Glb, &level, &WriteOptions::default()).map_err(Failure::unsupported)
+        }
         other => Err(Failure::unsupported(format!("cannot encode as {other:?}, only as stri or glb"))),
     }
+}
+
+fn level_of(scene: &Scene, triangles: u32, progress: &mut ProgressFn<'_>) -> Result<Scene, Failure> {
+    let lods = LodScene::build_with_progress(scene, &LodOptions::default(), progress);
+    let lods = lods.map_err(Failure::corrupt)?;
+    Ok(lods.level_scene(&lods.level(Target::Triangles(triangles as usize))))
 }
 
 /// Reads the full scene of a file; a single mesh becomes a scene with one node.
@@ -106,12 +124,12 @@ fn truncated() -> Failure {
 mod tests {
     use striata::ignore_progress;
     use striata::mesh::shapes;
-    use striata_io::{WriteOptions, to_bytes};
+    use striata_io::to_bytes;
 
     use super::*;
 
     fn encoded(bytes: &[u8], name: &str, format: &str) -> Result<Vec<u8>, Failure> {
-        encode(bytes.to_vec(), name, format, &mut ignore_progress)
+        encode(bytes.to_vec(), name, (format, 300), &mut ignore_progress)
     }
 
     fn triangle_count(bytes: &[u8], name: &str) -> usize {
@@ -127,6 +145,9 @@ mod tests {
         let glb = encoded(&obj, "torus.obj", "glb").expect("a GLB file");
         for (bytes, name) in [(&stream, "torus.stri"), (&glb, "torus.glb")] {
             assert_eq!(triangle_count(bytes, name), count, "{name}");
+            let level = encoded(bytes, name, "level").expect("a level");
+            let kept = triangle_count(&level, "level.glb");
+            assert!((250..=300).contains(&kept), "{kept} triangles of {name}");
             for format in ["stri", "glb"] {
                 let again = encoded(bytes, name, format).expect(name);
                 assert_eq!(triangle_count(&again, &format!("a.{format}")), count, "{name} as {format}");

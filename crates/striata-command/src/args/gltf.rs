@@ -78,6 +78,16 @@ pub struct GltfArgs {
         help = bits_help(|q| q.color_bits, "Bits per color channel, 1 to 16"),
     )]
     color_bits: Option<u32>,
+    #[arg(
+        long,
+        value_name = "BITS",
+        allow_negative_numbers = true,
+        value_parser = clap::value_parser!(u32).range(9..=MAX_BITS),
+        requires = "GltfCoding",
+        conflicts_with = "lossless",
+        help = bits_help(|q| q.rotation_bits, "Bits per component of an animated rotation, 9 to 16"),
+    )]
+    rotation_bits: Option<u32>,
     /// Which meshes are rounded to a common grid: those that touch, all of the scene, or none
     #[arg(
         long,
@@ -131,6 +141,7 @@ impl GltfArgs {
             .with_normal_bits(self.normal_bits.unwrap_or(defaults.normal_bits))
             .with_texcoord_bits(self.uv_bits.unwrap_or(defaults.texcoord_bits))
             .with_color_bits(self.color_bits.unwrap_or(defaults.color_bits))
+            .with_rotation_bits(self.rotation_bits.unwrap_or(defaults.rotation_bits))
             .with_grid(match self.grid {
                 GridArg::Touching => GridScope::Touching,
                 GridArg::Scene => GridScope::Scene,

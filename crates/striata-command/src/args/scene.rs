@@ -16,7 +16,7 @@ pub struct FlatArgs {
 #[derive(Clone, Copy, Debug, Default, Args)]
 #[command(next_help_heading = "Scenes (.gltf, .glb, and files made from them)")]
 pub struct EditArgs {
-    /// Merge equal images, textures, materials and meshes; simplify and encode do so in any case
+    /// Merge equal images, textures, materials, vertices and meshes; simplify and encode do so in any case
     #[arg(long)]
     pub dedup: bool,
     /// Leave out keyframes within a tolerance of what their neighbors give, relative to the largest value

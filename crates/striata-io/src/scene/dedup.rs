@@ -4,6 +4,7 @@ use std::collections::{BTreeSet, HashMap};
 use std::hash::Hash;
 
 use serde_json::{Value, json};
+use striata::mesh::IndexedMesh;
 
 use super::{Scene, number_materials};
 use crate::gltf::{are_all_known, entries};
@@ -18,6 +19,8 @@ pub struct MergedParts {
     pub textures: usize,
     /// Materials of the same name with equal values.
     pub materials: usize,
+    /// Vertices with equal positions and attributes.
+    pub vertices: usize,
     /// Meshes of the same name with equal triangles and materials.
     pub meshes: usize,
 }
@@ -26,8 +29,8 @@ pub struct MergedParts {
 type Visit<'v> = dyn FnMut(&mut Value) + 'v;
 
 impl Scene {
-    /// Merges equal images, samplers, textures, materials and meshes, in this order, and tells how many were left
-    /// out.
+    /// Merges equal images, samplers, textures, materials, vertices and meshes, in this order, and tells how many were
+    /// left out.
     ///
     /// Materials and meshes with different names stay apart, because programs find them by their names, and so do
     /// those that an animation changes. A scene with an unknown extension, which may refer to any part by its
@@ -53,6 +56,11 @@ impl Scene {
         merged.materials = merge(document, "materials", materials, of_materials).left_out();
         if merged.materials > 0 {
             self.number_groups();
+        }
+        for mesh in self.meshes.iter_mut().flatten() {
+            let before = mesh.vertex_count();
+            *mesh = with_merged_vertices(mesh);
+            merged.vertices += before - mesh.vertex_count();
         }
         merged.meshes = self.merge_meshes();
         (self, merged)
@@ -89,6 +97,36 @@ impl Scene {
             instance.mesh = found.numbers[instance.mesh];
         }
         found.left_out()
+    }
+}
+
+/// Merges vertices that are equal in every bit. Triangles keep their order.
+fn with_merged_vertices(mesh: &IndexedMesh) -> IndexedMesh {
+    let rows: Vec<(&[u8], usize)> = mesh
+        .layers
+        .iter()
+        .map(|layer| (layer.data.as_bytes(), layer.component_count as usize * layer.data.component_bytes()))
+        .chain((!mesh.exact_positions.is_empty()).then(|| (bytemuck::cast_slice(&mesh.exact_positions), 24)))
+        .collect();
+    let mut first_of: HashMap<Vec<u8>, u32> = HashMap::new();
+    let (mut numbers, mut kept) = (Vec::with_capacity(mesh.vertex_count()), Vec::new());
+    for (vertex, position) in mesh.positions.iter().enumerate() {
+        let mut row = bytemuck::bytes_of(position).to_vec();
+        for (bytes, size) in &rows {
+            row.extend_from_slice(&bytes[vertex * size..][..*size]);
+        }
+        let number = *first_of.entry(row).or_insert(kept.len() as u32);
+        if number as usize == kept.len() {
+            kept.push(vertex as u32);
+        }
+        numbers.push(number);
+    }
+    IndexedMesh {
+        positions: kept.iter().map(|&vertex| mesh.positions[vertex as usize]).collect(),
+        exact_positions: mesh.gathered_exact_positions(&kept),
+        layers: mesh.layers.iter().map(|layer| layer.gather(&kept)).collect(),
+        triangles: mesh.triangles.iter().map(|triangle| triangle.map(|v| numbers[v as usize])).collect(),
+        ..mesh.clone()
     }
 }
 

@@ -124,7 +124,7 @@ impl IndexedMesh {
     }
 
     /// Exact positions of some vertices, in that order; empty if the mesh has none.
-    pub(crate) fn gathered_exact_positions(&self, order: &[u32]) -> Vec<[f64; 3]> {
+    pub fn gathered_exact_positions(&self, order: &[u32]) -> Vec<[f64; 3]> {
         if self.exact_positions.is_empty() {
             return Vec::new();
         }

@@ -1,8 +1,8 @@
 //! Compressed buffer views.
 
 use meshoptimizer_rs::codec::{
-    IndexEncoding, VertexEncoding, encode_filter_oct, encode_index_buffer, encode_index_sequence,
-    encode_vertex_buffer,
+    IndexEncoding, VertexEncoding, encode_filter_oct, encode_filter_quat, encode_index_buffer,
+    encode_index_sequence, encode_vertex_buffer,
 };
 use serde_json::{Value, json};
 
@@ -66,18 +66,18 @@ pub(super) fn move_accessor(
 }
 
 /// Buffer that stands for the uncompressed data, and has no bytes.
-pub(super) struct Fallback {
+pub(super) struct Fallback<'q> {
     index: usize,
-    normal_bits: Option<u32>,
+    quantization: Option<&'q QuantizeOptions>,
     /// Size of the uncompressed data.
     pub bytes: usize,
 }
 
-impl Fallback {
+impl<'q> Fallback<'q> {
     /// Starts an empty buffer after those of the document.
-    pub(super) fn new(root: &Value, quantization: Option<&QuantizeOptions>) -> Self {
+    pub(super) fn new(root: &Value, quantization: Option<&'q QuantizeOptions>) -> Self {
         let index = array_length(root, "buffers").max(1);
-        Self { index, normal_bits: quantization.map(|options| options.normal_bits), bytes: 0 }
+        Self { index, quantization, bytes: 0 }
     }
 
     /// Adds the buffer to the document.
@@ -88,7 +88,7 @@ impl Fallback {
 
     /// Adds the bytes of a shelf, compressed if that makes them smaller, and returns their view.
     pub(super) fn view(&mut self, parts: &mut GltfParts, shelf: &Shelf) -> Value {
-        let packed = packed(shelf, self.normal_bits).filter(|packed| packed.bytes.len() < shelf.bytes.len());
+        let packed = packed(shelf, self.quantization).filter(|packed| packed.bytes.len() < shelf.bytes.len());
         let Some(packed) = packed else { return plain_view(parts, shelf) };
         let mut extension = parts.push_bytes(&packed.bytes);
         let stride = shelf.kind.stride;
@@ -118,10 +118,10 @@ struct Packed {
     bytes: Vec<u8>,
 }
 
-fn packed(shelf: &Shelf, normal_bits: Option<u32>) -> Option<Packed> {
+fn packed(shelf: &Shelf, quantization: Option<&QuantizeOptions>) -> Option<Packed> {
     match shelf.kind.role.as_str() {
         TRIANGLES | STRIPS if shelf.kind.target.is_some() => packed_indices(shelf),
-        _ => packed_attributes(shelf, normal_bits),
+        _ => packed_attributes(shelf, quantization),
     }
 }
 
@@ -139,16 +139,19 @@ fn packed_indices(shelf: &Shelf) -> Option<Packed> {
     Some(Packed { mode, filter: "NONE", bytes })
 }
 
-fn packed_attributes(shelf: &Shelf, normal_bits: Option<u32>) -> Option<Packed> {
+fn packed_attributes(shelf: &Shelf, quantization: Option<&QuantizeOptions>) -> Option<Packed> {
     let encoded = |bytes: &[u8], filter: &'static str| {
         let (stride, encoding) = (shelf.kind.stride, VertexEncoding::new(0, 0).ok()?);
         let bytes = encode_vertex_buffer(bytes, bytes.len() / stride, stride, encoding, &mut workspace());
         Some(Packed { mode: "ATTRIBUTES", filter, bytes: bytes.ok()? })
     };
     let plain = encoded(&shelf.bytes, "NONE")?;
+    let rotation_bits = quantization.map(|options| options.rotation_bits.clamp(9, 16));
+    let quaternions = quaternions(shelf, rotation_bits).and_then(|bytes| encoded(&bytes, "QUATERNION"));
+    let normal_bits = quantization.map(|options| options.normal_bits);
     let octahedral = octahedral(shelf, normal_bits).and_then(|bytes| encoded(&bytes, "OCTAHEDRAL"));
     let exponential = exponential(shelf).and_then(|bytes| encoded(&bytes, "EXPONENTIAL"));
-    let candidates = [octahedral, exponential].into_iter().flatten();
+    let candidates = [quaternions, octahedral, exponential].into_iter().flatten();
     Some(
         candidates.fold(plain, |best, other| if other.bytes.len() < best.bytes.len() { other } else { best }),
     )
@@ -170,6 +173,15 @@ fn octahedral(shelf: &Shelf, normal_bits: Option<u32>) -> Option<Vec<u8>> {
         _ => return None,
     };
     encode_filter_oct(shelf.bytes.len() / stride, *stride, bits, &numbers, &mut workspace()).ok()
+}
+
+/// Encodes quantized rotations in three numbers; [`None`] for other data.
+fn quaternions(shelf: &Shelf, rotation_bits: Option<u32>) -> Option<Vec<u8>> {
+    let ViewKind { role, component, stride, .. } = &shelf.kind;
+    let bits = rotation_bits.filter(|_| role == "animated rotation" && (*component, *stride) == (5122, 8))?;
+    let words = shelf.bytes.as_chunks::<2>().0.iter();
+    let numbers: Vec<f32> = words.map(|&word| f32::from(i16::from_le_bytes(word)) / 32767.0).collect();
+    encode_filter_quat(shelf.bytes.len() / stride, *stride, bits, &numbers, &mut workspace()).ok()
 }
 
 /// Encodes floats as integers with a common exponent for each component; [`None`] if that is not exact.

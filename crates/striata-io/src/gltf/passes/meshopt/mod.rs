@@ -5,8 +5,8 @@
 //! other views, so everything that refers to them still finds them. Accessors of one kind share a view.
 //!
 //! `order` first sorts triangles and vertices, because the codecs store differences of neighbors.
-//! Everything is kept exactly but normals and tangents: small integers pass through the octahedral filter,
-//! which rounds them once more. Floats that are multiples of a power of two, such as texture coordinates
+//! Everything is kept exactly but normals, tangents and rotations: small integers pass through the octahedral filter
+//! or that of quaternions, which round them once more. Floats that are multiples of a power of two, such as texture coordinates
 //! after `quantize`, are stored as integers by the exponential filter, which is exact for them.
 //!
 //! Version 0 of the vertex codec and version 1 of the index codecs are what the extension defines.

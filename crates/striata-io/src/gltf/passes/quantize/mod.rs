@@ -14,6 +14,7 @@
 //!
 //! Draco's primitives, and meshes with extensions that may depend on coordinates, stay as they are.
 
+mod animations;
 mod attributes;
 mod convert;
 pub(super) mod grid;
@@ -64,6 +65,7 @@ pub(in crate::gltf) fn quantize(parts: &mut GltfParts, options: &QuantizeOptions
     let mut grids = grid::grids(&document, &primitives, &are_read, (options.position_bits, options.grid));
     let placements = placement::placements(&document, &mut grids);
     attributes::quantize((&document, &primitives), &grids, (options, texcoords), &mut changes);
+    animations::quantize(&document, (options, texcoords), &mut changes);
     placement::apply(&document, &grids, placements, &mut changes);
     let Changes { additions, replaced, needs_extension, .. } = changes;
     additions.apply(parts, plain_view);
