@@ -215,6 +215,35 @@ fn decodes_seams_groups_and_layers() {
     }
 }
 
+/// Decals, sheets from both sides, and parts that only their joints move apart.
+#[test]
+fn copies_in_the_same_place_have_small_bases() {
+    let ball = shapes::icosphere(2, 1.0);
+    let meshes = [
+        ("joints", meshes::on_joints(&ball, 8)),
+        ("twice", meshes::copies(&ball, 2)),
+        ("inside out", meshes::inside_out(ball)),
+        ("two-sided", meshes::two_sided(shapes::terrain(16, 3))),
+        ("decal", meshes::decal(shapes::terrain(16, 3))),
+    ];
+    for (name, mesh) in meshes {
+        for options in kinds() {
+            let written = write(&mesh, &options);
+            let base = written.source.sequence.triangle_count_at(0);
+            assert!(10 * base <= mesh.triangle_count(), "{name}: {base} of {}", mesh.triangle_count());
+            let whole = check_whole(&written, &options);
+            let mut decoder = StreamDecoder::new();
+            for piece in written.stream.bytes.chunks(40) {
+                decoder.push(piece).unwrap();
+                if decoder.refinable_mesh().is_some() {
+                    check_prefix(&decoder, &whole);
+                }
+            }
+            assert!(decoder.is_complete());
+        }
+    }
+}
+
 /// Rings so large that the choice of a run is coded by sums.
 #[test]
 fn decodes_hubs_of_thousands_of_triangles() {
@@ -461,6 +490,25 @@ fn with_used_base(refinable: RefinableMesh) -> RefinableMesh {
     refinable.clone().without_levels_below(first)
 }
 
+/// Repeats runs of triangles, some of them reversed, with their own vertices or the same ones.
+fn with_random_copies(mut mesh: IndexedMesh, random: &mut Random) -> IndexedMesh {
+    for _ in 0..random.below(4) {
+        let count = mesh.triangle_count();
+        let first = random.below(count);
+        let mut copies = mesh.triangles[first..first + 1 + random.below(count - first)].to_vec();
+        if random.below(2) == 0 {
+            copies.iter_mut().for_each(|t| t.reverse());
+        }
+        if random.below(2) == 0 {
+            let n = mesh.vertex_count() as u32;
+            copies.iter_mut().for_each(|t| *t = t.map(|v| v + n));
+            mesh.positions.extend_from_within(..);
+        }
+        mesh.triangles.extend(copies);
+    }
+    mesh
+}
+
 fn check_sequence(source: RefinableMesh, options: &StreamOptions, seed: u64) {
     let mut random = Random::new(seed);
     let batches = random_batches(&source, &mut random);
@@ -536,6 +584,21 @@ proptest! {
         for options in kinds() {
             check_ids(&with_ids(&mesh, LayerData::F32(ids.clone())), &options.with_precision(precision));
         }
+    }
+
+    #[test]
+    fn decodes_streams_of_meshes_with_copies(seed: u64, holes in 0usize..40, has_seams: bool) {
+        let mut random = Random::new(seed);
+        let mut mesh = shapes::torus(8, 6, 2.0, 0.8);
+        for _ in 0..holes {
+            mesh.triangles.swap_remove(random.below(mesh.triangles.len()));
+        }
+        mesh = with_random_copies(mesh, &mut random);
+        if has_seams {
+            mesh = with_seams_and_groups(mesh);
+        }
+        let options = kinds().nth(seed as usize % 6).unwrap();
+        check(&mesh, &options, seed);
     }
 
     #[test]

@@ -238,6 +238,75 @@ fn surfaces_shrink_to_small_bases() {
 }
 
 #[test]
+fn coincident_copies_shrink_to_small_bases() {
+    let ball = shapes::icosphere(3, 1.0);
+    let sheet = rough(shapes::grid(24, 24), 0.01, 3);
+    // The last number is that of the copies if all of them must have the same triangles after each batch.
+    // Those of opposite orientation differ by rounding, and decals by their borders.
+    let cases = [
+        ("twice", meshes::copies(&ball, 2), 40, Some(2)),
+        ("on joints", meshes::on_joints(&ball, 8), 160, Some(8)),
+        ("inside out", meshes::inside_out(ball), 40, None),
+        ("two-sided", meshes::two_sided(sheet.clone()), 60, None),
+        ("decal", meshes::decal(sheet), 60, None),
+    ];
+    for (name, mesh, most, alike) in cases {
+        let built = build(&mesh, &surface_only());
+        check_batches(name, &surface_only(), &built);
+        let RefinableMesh { mesh: refined, sequence } = &built.built.refinable;
+        let left = sequence.base_position_count();
+        assert!(left <= most, "{name}: {left} positions of {}", sequence.positions().position_count());
+        assert_eq!(refined.triangle_count(), mesh.triangle_count(), "{name}");
+        for &start in built.batches.iter().filter(|_| alike.is_some()) {
+            let level = replay(&built.built.refinable, start as usize);
+            let place = |t: &[u32; 3]| {
+                let mut corners = t.map(|v| level.positions[v as usize].map(f32::to_bits));
+                corners.sort_unstable();
+                corners
+            };
+            let mut places: Vec<_> = level.triangles.iter().map(place).collect();
+            places.sort_unstable();
+            let mut counts = places.chunk_by(|a, b| a == b).map(<[_]>::len);
+            assert!(counts.all(|count| Some(count) == alike), "{name}: split count {start}");
+        }
+    }
+}
+
+/// Pages at a spine, and parts on different joints that share only a boundary, are no copies.
+#[test]
+fn surfaces_without_copies_stay_together() {
+    let mut halves = rough(shapes::icosphere(2, 1.0), 0.01, 1);
+    let upper = |p: &[f32; 3]| u16::from(p[2] > 0.0);
+    let joints = halves.positions.iter().flat_map(|p| [upper(p), 0, 0, 0]).collect();
+    let weights = [1.0, 0.0, 0.0, 0.0].repeat(halves.vertex_count());
+    halves.layers = meshes::skin(joints, weights);
+    for mesh in [shapes::book(30), halves] {
+        let welded = weld(&mesh).expect("a valid mesh");
+        let built = build(&mesh, &surface_only());
+        let positions = built.built.refinable.sequence.positions();
+        assert_eq!(positions.position_count(), welded.positions.position_count());
+        assert_eq!(built.built.merged_vertex_count, welded.merged_vertex_count);
+    }
+}
+
+/// Locked vertices stay with all their copies.
+#[test]
+fn locked_copies_stay() {
+    let mesh = meshes::copies(&shapes::icosphere(2, 1.0), 2);
+    let locked = SequenceOptions::default().with_locked_vertices(vec![5]);
+    let built = build(&mesh, &surface_only().with_sequence(locked)).built.refinable;
+    let base = &built.mesh.positions[..built.sequence.base_vertex_count()];
+    assert!(base.contains(&mesh.positions[5]), "the locked vertex is in the base");
+    let used = replay(&built, 0)
+        .triangles
+        .iter()
+        .flatten()
+        .filter(|&&v| base[v as usize] == mesh.positions[5])
+        .count();
+    assert!(used >= 6, "both copies have triangles at the locked vertex");
+}
+
+#[test]
 fn general_batches_simplify_assets() {
     for seed in 0..8 {
         let mesh = asset(30, seed);

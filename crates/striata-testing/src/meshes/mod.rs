@@ -5,7 +5,9 @@ mod nasty;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use striata::mesh::{AttributeLayer, IndexedMesh, Material, Random, Semantic, TriangleGroup, shapes};
+use striata::mesh::{
+    AttributeLayer, IndexedMesh, LayerData, Material, Random, Semantic, TriangleGroup, shapes,
+};
 use striata::simplify::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions, TopologyRule};
 
 pub use nasty::nasty;
@@ -60,6 +62,11 @@ pub fn odd() -> Vec<NamedMesh> {
     all.push(named("long moebius strip", shapes::moebius_strip(40)));
     all.push(named("klein bottle", shapes::klein_bottle(12, 9)));
     all.push(named("book of 30", shapes::book(30)));
+    all.push(named("torus twice", copies(&shapes::torus(10, 8, 2.0, 1.0), 2)));
+    all.push(named("torus inside out", inside_out(shapes::torus(10, 8, 2.0, 1.0))));
+    all.push(named("two-sided sheet", two_sided(shapes::terrain(8, 3))));
+    all.push(named("balls on joints", on_joints(&shapes::icosphere(1, 1.0), 3)));
+    all.push(named("decal", decal(shapes::terrain(9, 3))));
     for seed in 0..12 {
         all.push((format!("soup {seed}"), shapes::random_soup(20 + 15 * seed as u32, seed)));
         all.push((format!("sheets {seed}"), crossing_sheets(seed)));
@@ -162,6 +169,54 @@ pub fn folded(count: u32) -> IndexedMesh {
     let n = 2 * count + 2;
     let runs = (0..2 * count).flat_map(|i| [[i, i + 1, i + 2], [i + 2, i + 1, i]]);
     IndexedMesh::new(positions, runs.chain([[0, n, 1], [0, n + 1, n]]).collect())
+}
+
+/// Several copies of a mesh in the same place, each with its own vertices.
+pub fn copies(mesh: &IndexedMesh, count: u32) -> IndexedMesh {
+    let n = mesh.vertex_count() as u32;
+    let triangles = (0..count).flat_map(|k| mesh.triangles.iter().map(move |t| t.map(|v| v + k * n)));
+    IndexedMesh::new(mesh.positions.repeat(count as usize), triangles.collect())
+}
+
+/// Several copies of a mesh in the same place, each bound to its own joint.
+pub fn on_joints(mesh: &IndexedMesh, count: u32) -> IndexedMesh {
+    let mut out = copies(mesh, count);
+    let n = mesh.vertex_count();
+    let joints = (0..out.vertex_count()).flat_map(|v| [(v / n) as u16, 0, 0, 0]).collect();
+    let weights = [1.0, 0.0, 0.0, 0.0].repeat(out.vertex_count());
+    out.layers = skin(joints, weights);
+    out
+}
+
+/// Layers of joints and weights, four per vertex.
+pub fn skin(joints: Vec<u16>, weights: Vec<f32>) -> Vec<AttributeLayer> {
+    let joints = AttributeLayer {
+        semantic: Semantic::Joints(0),
+        component_count: 4,
+        normalized: false,
+        data: LayerData::U16(joints),
+    };
+    vec![joints, AttributeLayer::from_f32(Semantic::Weights(0), 4, weights)]
+}
+
+/// A sheet that is modeled from both sides: every triangle again, reversed, with its own vertices and normals.
+pub fn two_sided(sheet: IndexedMesh) -> IndexedMesh {
+    let n = sheet.vertex_count();
+    let mut out = inside_out(sheet);
+    let normals = [[0.0, 0.0, 1.0].repeat(n), [0.0, 0.0, -1.0].repeat(n)].concat();
+    out.layers = vec![AttributeLayer::from_f32(Semantic::Normal, 3, normals)];
+    out
+}
+
+/// A mesh, a third of whose triangles are there again with their own texture coordinates.
+pub fn decal(mesh: IndexedMesh) -> IndexedMesh {
+    let n = mesh.vertex_count();
+    let mut patch = mesh.clone();
+    patch.triangles.truncate(mesh.triangle_count() / 3);
+    let mut out = joined(mesh, patch);
+    let texcoords = (0..2 * n).flat_map(|v| if v < n { [0.0; 2] } else { [v as f32, 1.0] }).collect();
+    out.layers = vec![AttributeLayer::from_f32(Semantic::TexCoord(0), 2, texcoords)];
+    out
 }
 
 /// A mesh together with a copy of opposite orientation.

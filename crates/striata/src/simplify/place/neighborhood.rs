@@ -94,19 +94,29 @@ impl Neighborhood {
         for i in 0..self.ids.len() as u32 {
             let mut after = self.triangles.iter().filter(|t| t.a == i);
             let mut before = self.triangles.iter().filter(|t| t.b == i);
-            let is_inner = match (after.next(), before.next(), after.next(), before.next()) {
-                (Some(s), Some(t), None, None) => {
-                    let along = self.offsets[i as usize];
-                    let weight = seam_weight.and_then(|f| f([s.triangle, t.triangle], along));
-                    if let Some(weight) = weight.filter(|weight| weight.is_finite()) {
-                        self.seams.push((i, weight));
+            // Pairs of triangles that continue the surface at the edge. A sheet that is modeled from both
+            // sides has two, or none at its boundary, where only opposite copies meet.
+            let firsts = [after.next(), before.next(), after.next(), before.next()];
+            let sides = match firsts {
+                [Some(s), Some(t), None, None] if s.b != t.a => [Some((s, t)), None],
+                [Some(s), Some(t), Some(r), Some(u)]
+                    if after.next().is_none() && before.next().is_none() && s.b != r.b =>
+                {
+                    match [t.a, u.a] {
+                        [a, b] if [a, b] == [s.b, r.b] => [Some((s, u)), Some((r, t))],
+                        [a, b] if [b, a] == [s.b, r.b] => [Some((s, t)), Some((r, u))],
+                        _ => [None; 2],
                     }
-                    weight.is_none_or(f64::is_finite)
                 }
-                _ => false,
+                _ => [None; 2],
             };
-            if !is_inner {
+            let along = self.offsets[i as usize];
+            let weight_of = |(s, t): (&LinkEdge, &LinkEdge)| seam_weight?([s.triangle, t.triangle], along);
+            let weight = sides.into_iter().flatten().filter_map(weight_of).reduce(f64::max);
+            if sides[0].is_none() || weight.is_some_and(|weight| !weight.is_finite()) {
                 self.borders.push(i);
+            } else if let Some(weight) = weight {
+                self.seams.push((i, weight));
             }
         }
     }

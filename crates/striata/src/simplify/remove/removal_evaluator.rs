@@ -160,11 +160,14 @@ impl<'a> RemovalEvaluator<'a> {
         self.collapse_evaluator.gather(v);
         let CostEvaluator { links, star, positions, .. } = &self.collapse_evaluator;
         let is_ring = matches!(links.kind(v), LinkKind::Closed | LinkKind::Open);
-        if degree > self.options.degree_limit && self.phase < CollapsePhase::Hubs {
+        let degree_limit = self.options.degree_limit;
+        // A triangle and its opposite copy count as one.
+        let is_hub = degree > degree_limit && !(degree <= 2 * degree_limit && star.is_two_sided());
+        if is_hub && self.phase < CollapsePhase::Hubs {
             return None;
         }
         self.points.load(&star.triangles, positions, v);
-        let strict = if degree > self.options.degree_limit {
+        let strict = if is_hub {
             None
         } else {
             self.is_plain = is_ring && degree > 1 && self.find_ring_vertices();

@@ -60,8 +60,8 @@ pub struct RemovalOptions {
     /// always compared by distance.
     pub criterion: HoleCriterion,
     /// Maximum number of triangles around a removed vertex, 3 to 16; default 8: larger limits give many
-    /// more patterns and hardly better levels. Only collapses that change the topology may exceed it,
-    /// once nothing else is left.
+    /// more patterns and hardly better levels. The two sides of a sheet that is modeled from both sides count
+    /// once. Only collapses that change the topology may exceed it, once nothing else is left.
     pub degree_limit: usize,
     /// Stop once no more triangles than this are left; default 0, which simplifies as far as possible.
     pub base_triangle_count: usize,

@@ -21,6 +21,7 @@ use crate::{Progress, ProgressFn};
 use super::batch_bias::BatchBias;
 use super::batch_options::BatchOptions;
 use super::closed_surface;
+use super::copies::marked_copies;
 use super::select::{Selection, keep_cheapest};
 
 /// All batches of a mesh.
@@ -56,6 +57,8 @@ pub(super) struct BatchSimplifier<'a> {
     /// Number of positions left after the last general batch.
     pub(super) left_after_general: usize,
     selection: Selection,
+    /// Whether each position is a copy of the previous one, in the same place.
+    is_copy: Vec<bool>,
     /// Whether the last batch found choices that are no longer allowed.
     was_out_of_date: bool,
     ends: Vec<u32>,
@@ -82,6 +85,7 @@ impl<'a> BatchSimplifier<'a> {
             max_cost: 0.0,
             left_after_general: position_count,
             selection: Selection::new(position_count),
+            is_copy: marked_copies(welded),
             was_out_of_date: false,
             ends: Vec::new(),
             error: 0.0,
@@ -201,12 +205,12 @@ impl<'a> BatchSimplifier<'a> {
         candidates.clear();
         let costs = self.choices.iter().zip(0..).filter_map(|(choice, v)| Some((choice.as_ref()?.cost, v)));
         candidates.extend(costs);
-        keep_cheapest(&mut candidates, self.options.share * self.share_factor());
+        keep_cheapest(&mut candidates, self.options.share * self.share_factor(), &self.is_copy);
         self.max_cost = candidates.last().map_or(0.0, |last| last.0);
         self.deferred.clear();
         self.deferred.extend(candidates.extract_if(.., |&mut (_, v)| self.is_general[v as usize]));
         self.selection.begin();
-        self.selection.sort_by_crowding(&mut candidates, &self.evaluator.links);
+        self.selection.sort_by_crowding(&mut candidates, &self.evaluator.links, &self.is_copy);
         self.was_out_of_date = false;
         let mut stopped = None;
         for &(_, v) in &candidates {

@@ -111,14 +111,21 @@ impl Links {
         self.follows_triangles
     }
 
-    /// Whether a position lies on an edge with only one triangle.
+    /// Whether a position lies on an edge with only one triangle, or with one and its opposite copy.
     pub(in crate::simplify) fn is_boundary(&self, v: u32) -> bool {
         match self.kind(v) {
             LinkKind::Open => true,
             LinkKind::Edges => {
-                let mut sorted = self.entries(v).to_vec();
-                sorted.sort_unstable();
-                sorted.chunk_by(|a, b| a == b).any(|run| run.len() == 1)
+                // For each triangle and neighbor, whether the triangle begins with it, and the other neighbor.
+                let pairs = self.entries(v).chunks_exact(2);
+                let mut sides: Vec<_> =
+                    pairs.flat_map(|pair| [(pair[0], true, pair[1]), (pair[1], false, pair[0])]).collect();
+                sides.sort_unstable();
+                sides.chunk_by(|a, b| a.0 == b.0).any(|run| match *run {
+                    [_] => true,
+                    [(_, a_begins, a), (_, b_begins, b)] => a_begins != b_begins && a == b,
+                    _ => false,
+                })
             }
             _ => false,
         }

@@ -11,7 +11,7 @@ pub(super) enum BorderKind {
     Seam,
     /// The edge has three or more triangles, or two that disagree about its direction.
     Branch,
-    /// The edge has one triangle.
+    /// The edge has one triangle, or one and its opposite copy.
     Boundary,
 }
 
