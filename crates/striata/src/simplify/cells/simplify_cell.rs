@@ -20,7 +20,8 @@ pub fn simplify_cell(cell: &Cell, options: &CellOptions) -> Result<SimplifiedCel
     let union = CellUnion::new(cell, &options.materials)?;
     let inside_count = union.inside_of.iter().filter(|&&t| t != BORDER).count();
     let border_count = union.inside_of.len() - inside_count;
-    let kept = (inside_count as f64 * options.keep.clamp(0.0, 1.0)) as usize;
+    let share = (inside_count as f64 * options.keep.clamp(0.0, 1.0)) as usize;
+    let kept = share.max(options.sequence.base_triangle_count);
     let sequence = SequenceOptions {
         base_triangle_count: border_count + kept,
         locked_vertices: union.locked_vertices.clone(),
