@@ -67,6 +67,9 @@ pub struct BuildOptions {
     /// Number of triangles at which the coarsest level stops; default none, which simplifies as far as possible.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub base: Option<Limit>,
+    /// Largest estimated error of any level; default none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_error: Option<Limit>,
     /// Whether a coarsest level of more triangles than `base` is an error, so that nothing is written; default no.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub strict: bool,
@@ -95,6 +98,7 @@ impl Default for BuildOptions {
             lock_groups: false,
             keep_seams: false,
             base: None,
+            max_error: None,
             strict: false,
             pieces_per_task: 8,
             cells_per_task: 16,
@@ -143,6 +147,10 @@ impl BuildOptions {
             .with_boundary(rule(self.lock_boundary))
             .with_group_borders(rule(self.lock_groups))
             .with_seams(if self.keep_seams { SeamRule::Keep } else { SeamRule::Cross });
+        let sequence = SequenceOptions {
+            max_error: self.max_error.map(|error| error.of(metadata.diagonal())),
+            ..sequence
+        };
         let options = CellOptions::new(metadata.diagonal())
             .with_sequence(sequence)
             .with_materials(metadata.groups.iter().map(|group| group.material).collect());

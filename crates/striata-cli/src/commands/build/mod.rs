@@ -121,7 +121,6 @@ fn check_paged_flags(args: &BuildArgs) -> Result<(), Failure> {
     let flags = [
         ("--models", !is_default),
         ("--overlap-errors", args.overlap_errors),
-        ("--max-error", args.max_error.is_some()),
         ("--order", sequence.order.of_removals().is_some()),
         ("--certify", sequence.certify),
         ("--cost", sequence.cost.is_some()),

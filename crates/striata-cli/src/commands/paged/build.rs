@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 use striata::simplify::{StopReason, Target};
-use striata_command::args::Count;
+use striata_command::args::{Count, Length};
 use striata_command::failure::Failure;
 use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall};
 use striata_command::output::{Output, format_bytes, format_count, format_duration};
@@ -136,6 +136,10 @@ fn sequenced(options: BuildOptions, build: &BuildArgs) -> BuildOptions {
         base: build.base.map(|base| match base {
             Count::Number(count) => Limit::Absolute(count as f64),
             Count::Share(share) => Limit::Share(share),
+        }),
+        max_error: build.max_error.map(|error| match error {
+            Length::Absolute(length) => Limit::Absolute(length),
+            Length::OfDiagonal(share) => Limit::Share(share),
         }),
         strict: build.strict,
         ..options

@@ -71,10 +71,17 @@ impl<'a> Trace<'a> {
         self.tail[p as usize] = corner;
     }
 
+    /// Whether the error of each step is at most `limit`. A step that is depends only on steps that are, too.
+    pub(super) fn within(&self, limit: f64) -> Vec<bool> {
+        self.steps.iter().map(|step| f64::from(step.error) <= limit).collect()
+    }
+
     /// Replays all steps. Targets are vertices of the union at positions within the cell.
     pub(super) fn run(&mut self, record: &CollapseRecord, targets: &[u32], scale: f64) {
-        for (&v, cost) in record.removed.iter().zip(&record.costs) {
-            let own = f64::from(cost.distance_squared).sqrt() * scale;
+        let counts = record.removed_triangle_counts.iter();
+        for ((&v, cost), &count) in record.removed.iter().zip(&record.costs).zip(counts) {
+            // A position that lost its last triangle by the step before has moved no surface itself.
+            let own = if count == 0 { 0.0 } else { f64::from(cost.distance_squared).sqrt() * scale };
             self.step(v, targets, (cost.cost, own));
         }
     }
