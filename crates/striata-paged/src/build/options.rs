@@ -64,6 +64,9 @@ pub struct BuildOptions {
     pub lock_groups: bool,
     /// Whether seams only collapse along themselves; default no.
     pub keep_seams: bool,
+    /// Whether no triangle may turn over in plan, seen along the z axis; default if the input is a terrain.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub height_field: Option<bool>,
     /// Number of triangles at which the coarsest level stops; default none, which simplifies as far as possible.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub base: Option<Limit>,
@@ -97,6 +100,7 @@ impl Default for BuildOptions {
             lock_boundary: false,
             lock_groups: false,
             keep_seams: false,
+            height_field: None,
             base: None,
             max_error: None,
             strict: false,
@@ -125,8 +129,12 @@ impl BuildOptions {
         }
     }
 
-    /// Options of the cells of one level.
-    pub(super) fn cell_options(&self, metadata: &Metadata, is_last: bool) -> CellOptions {
+    /// Options of the cells of one level of a mesh, which may be a terrain.
+    pub(super) fn cell_options(
+        &self,
+        metadata: &Metadata,
+        (is_terrain, is_last): (bool, bool),
+    ) -> CellOptions {
         let weights = AttributeWeights {
             normal: self.normal_weight,
             texcoord: self.texcoord_weight,
@@ -140,17 +148,15 @@ impl BuildOptions {
         };
         let rule = |is_locked| if is_locked { BoundaryRule::Locked } else { BoundaryRule::Kept };
         let base = if is_last { self.base_triangle_count(metadata.triangle_count) } else { 0 };
-        let sequence = SequenceOptions::default()
+        let mut sequence = SequenceOptions::default()
             .with_base_triangle_count(base as usize)
+            .with_height_field(self.height_field.unwrap_or(is_terrain))
             .with_attribute_weights(weights)
             .with_topology(topology)
             .with_boundary(rule(self.lock_boundary))
             .with_group_borders(rule(self.lock_groups))
             .with_seams(if self.keep_seams { SeamRule::Keep } else { SeamRule::Cross });
-        let sequence = SequenceOptions {
-            max_error: self.max_error.map(|error| error.of(metadata.diagonal())),
-            ..sequence
-        };
+        sequence.max_error = self.max_error.map(|error| error.of(metadata.diagonal()));
         let options = CellOptions::new(metadata.diagonal())
             .with_sequence(sequence)
             .with_materials(metadata.groups.iter().map(|group| group.material).collect());

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use striata::mesh::AttributeLayer;
 use striata::simplify::cells::{Cell, CellMesh, CellSteps, simplify_cell};
 
-use super::BuildError;
+use super::{BuildError, BuildInput};
 use super::part_file::{PartIndex, PartWriter};
 use super::plan::{Plan, Task};
 use super::sort_task::{send, write_cells};
@@ -16,7 +16,9 @@ use crate::{Import, Page, PageId};
 pub(super) fn run(plan: &Plan, task: &Task, level: u8, parts: &PartIndex) -> Result<(), BuildError> {
     let partition = plan.partition()?;
     let is_last = level + 1 == plan.level_count();
-    let options = plan.options.cell_options(&plan.metadata, is_last);
+    let is_terrain =
+        matches!(plan.input, BuildInput::Terrain(_)) || plan.metadata.georeference.is_some();
+    let options = plan.options.cell_options(&plan.metadata, (is_terrain, is_last));
     let like = plan.metadata.empty_mesh();
     let mut left = CellMesh::default();
     let mut writer = PartWriter::create(&plan.steps_path(level, task.first))?;
