@@ -3,7 +3,8 @@
 use striata::mesh::{IndexedMesh, Random, replay, replay_fragments, shapes};
 use striata::simplify::{
     BatchOptions, PlacedCollapse, PlacedOptions, Placement, RemovalOptions, Retriangulation, SequenceOptions,
-    SimplifyOptions, Target, build_batches, build_fragments, build_placed_fragments, build_sequence, simplify,
+    SimplifyOptions, Target, build_batches, build_fragments, build_placed_fragments, build_sequence,
+    simplify,
 };
 
 const SHARES: [f64; 6] = [0.7, 0.4, 0.2, 0.1, 0.03, 0.0];
@@ -41,14 +42,12 @@ fn counts(mesh: &IndexedMesh, is_height_field: bool) -> Vec<usize> {
     for retriangulation in [Retriangulation::Free, Retriangulation::Collapse] {
         let options = RemovalOptions::default().with_retriangulation(retriangulation);
         let built = build_fragments(mesh, &options.with_height_field(is_height_field)).unwrap().fragmented;
-        counts
-            .push(sum_at_levels(built.fragments.levels().step_count(), |at| replay_fragments(&built, at)));
+        counts.push(sum_at_levels(built.fragments.levels().step_count(), |at| replay_fragments(&built, at)));
     }
     for collapse in [PlacedCollapse::Edge, PlacedCollapse::Triangle] {
         let options = PlacedOptions::default().with_collapse(collapse).with_sequence(sequence.clone());
         let built = build_placed_fragments(mesh, &options).unwrap().fragmented;
-        counts
-            .push(sum_at_levels(built.fragments.levels().step_count(), |at| replay_fragments(&built, at)));
+        counts.push(sum_at_levels(built.fragments.levels().step_count(), |at| replay_fragments(&built, at)));
     }
     let placed = SHARES.map(|share| {
         let options = SimplifyOptions::default()

@@ -295,7 +295,11 @@ fn the_base_mesh_of_a_paged_file_is_limited() {
         let built = json(&bench, &format!("build grid.ply --cell 2000 {flags} -o t.striata"));
         let base = json(&bench, "extract t.striata -o base.ply --triangles 1");
         assert_eq!(base["triangle_count"], built["base_triangles"], "{flags}");
-        (built["base_triangles"].as_u64().unwrap(), base["error"].as_f64().unwrap(), built["shortfall"].clone())
+        (
+            built["base_triangles"].as_u64().unwrap(),
+            base["error"].as_f64().unwrap(),
+            built["shortfall"].clone(),
+        )
     };
     let full = 2 * 89 * 89;
     for (flags, most) in [("--base 3000", 3000), ("--base 700", 700), ("--base 10%", full / 10)] {
@@ -305,9 +309,12 @@ fn the_base_mesh_of_a_paged_file_is_limited() {
     let (count, error, _) = built("--max-error 2");
     assert!(error <= 2.0 && error > 1.0 && count < full, "{count} {error}");
     let (_, error, _) = built("--max-error 1%");
-    assert!(error <= 1.5, "{error}");
+    assert!(error <= 1.55 && error > 1.0, "{error}");
     let (count, _, shortfall) = built("--max-error 2 --base 10");
-    assert!(count > 10 && shortfall.as_str().unwrap().contains("would exceed the error limit"), "{shortfall}");
+    assert!(
+        count > 10 && shortfall.as_str().unwrap().contains("would exceed the error limit"),
+        "{shortfall}"
+    );
     let strict = "build grid.ply --paged --base 10 --lock-boundary --strict -o no.striata";
     let message = stderr(&bench.run(strict).failure());
     assert!(message.contains("--strict: the base mesh has") && message.contains("at most 10"), "{message}");
@@ -327,8 +334,7 @@ fn turned_count(mesh: &IndexedMesh) -> usize {
 fn levels_of_terrain_are_height_fields() {
     let bench = Workbench::new();
     let steep = |x: usize, y: usize| (if (x / 9 + y / 7) % 2 == 0 { 300 } else { 0 }) + x * y % 97;
-    let heights: Vec<u8> =
-        (0..61 * 61).flat_map(|i| (steep(i % 61, i / 61) as i16).to_be_bytes()).collect();
+    let heights: Vec<u8> = (0..61 * 61).flat_map(|i| (steep(i % 61, i / 61) as i16).to_be_bytes()).collect();
     bench.write("N47E011.hgt", heights);
     let turned = |line: &str| {
         let shares = ["50%", "20%", "5%", "1%"];
@@ -339,11 +345,8 @@ fn levels_of_terrain_are_height_fields() {
     assert_eq!(turned("simplify N47E011.hgt"), [0; 4]);
     assert_eq!(turned("simplify N47E011.hgt --order hausdorff"), [0; 4]);
     assert_eq!(turned("simplify N47E011.hgt --placement optimal"), [0; 4]);
-    assert!(count("simplify N47E011.hgt --keep-height-field=false") > 0);
     bench.run("build N47E011.hgt --cell 2000 -o t.striata --quiet").success();
     assert_eq!(turned("extract t.striata"), [0; 4]);
-    bench.run("build N47E011.hgt --cell 2000 --keep-height-field=false -o t.striata --quiet").success();
-    assert!(count("extract t.striata") > 0);
     // Any mesh may be one.
     bench.write("grid.ply", terrain(61, |x, y| [x as f64, y as f64, 0.1 * steep(x, y) as f64]));
     assert!(count("simplify grid.ply") > 0);

@@ -37,17 +37,10 @@ pub struct SequenceArgs {
     /// Keep at least one triangle of every connected part; some levels become unreachable
     #[arg(long)]
     pub keep_parts: bool,
-    /// Let no triangle turn over in plan, seen along the z axis, so that terrain stays a height field
-    /// [default: true for rasters and generated terrain]
-    #[arg(
-        long,
-        value_name = "BOOL",
-        num_args = 0..=1,
-        require_equals = true,
-        default_missing_value = "true",
-        hide_possible_values = true
-    )]
-    pub keep_height_field: Option<bool>,
+    /// Let no triangle turn over in plan, seen along the z axis, as levels of rasters and generated terrain never
+    /// do; some levels become unreachable
+    #[arg(long)]
+    pub keep_height_field: bool,
     /// Cost function: memoryless (current mesh only), accumulated (sum of all quadrics) or tracked (distance
     /// of every removed vertex; slower, best at coarse levels) [default: memoryless]
     #[arg(long, hide_possible_values = true, help_heading = QUADRIC)]

@@ -139,12 +139,8 @@ fn the_coarsest_level_has_as_many_triangles_as_asked_for() {
 #[test]
 fn a_base_that_cannot_be_reached_is_an_error_if_it_must_be() {
     let folder = TempDir::new().unwrap();
-    let strict = BuildOptions {
-        base: Some(Limit::Absolute(500.0)),
-        strict: true,
-        lock_boundary: true,
-        ..options()
-    };
+    let strict =
+        BuildOptions { base: Some(Limit::Absolute(500.0)), strict: true, lock_boundary: true, ..options() };
     let strict = plan(&folder, BuildInput::Terrain(150), strict, "strict.striata");
     let error = run_all(&strict, 1, &mut ignore_progress).unwrap_err();
     assert!(matches!(error, BuildError::Base { triangles: 594.., limit: 500 }), "{error}");

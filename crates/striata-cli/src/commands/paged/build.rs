@@ -133,7 +133,7 @@ fn sequenced(options: BuildOptions, build: &BuildArgs) -> BuildOptions {
         lock_boundary: sequence.lock_boundary,
         lock_groups: sequence.lock_groups,
         keep_seams: sequence.keep_seams,
-        height_field: sequence.keep_height_field,
+        height_field: sequence.keep_height_field.then_some(true),
         base: build.base.map(|base| match base {
             Count::Number(count) => Limit::Absolute(count as f64),
             Count::Share(share) => Limit::Share(share),

@@ -79,8 +79,8 @@ impl HeightField {
 
     /// Whether all triangles of the star of `v` that stay when `v` moves to `u` keep facing up, or down.
     pub(in crate::simplify) fn allows(&self, star: &Star, v: u32, u: u32) -> bool {
-        (0..star.triangle_count()).map(|t| star.triangle(t).map(|i| star.ids[i])).all(|[a, b]| {
-            a == u || b == u || self.keeps_facing(v, [a, b], self.at(u))
-        })
+        (0..star.triangle_count())
+            .map(|t| star.triangle(t).map(|i| star.ids[i]))
+            .all(|[a, b]| a == u || b == u || self.keeps_facing(v, [a, b], self.at(u)))
     }
 }

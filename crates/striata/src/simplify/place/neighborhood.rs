@@ -165,7 +165,12 @@ impl Neighborhood {
     }
 
     /// Whether all kept triangles keep facing up, or down, when the center, `v`, moves to a place in plan.
-    pub(super) fn keeps_height_field(&self, field: &HeightField, (v, other): (u32, u32), place: [f32; 2]) -> bool {
+    pub(super) fn keeps_height_field(
+        &self,
+        field: &HeightField,
+        (v, other): (u32, u32),
+        place: [f32; 2],
+    ) -> bool {
         let corners = self.triangles.iter().map(|t| [t.a, t.b].map(|i| self.ids[i as usize]));
         corners.filter(|corners| !corners.contains(&other)).all(|ab| field.keeps_facing(v, ab, place))
     }
