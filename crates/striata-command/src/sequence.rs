@@ -337,6 +337,7 @@ impl SequenceArgs {
                     .with_seams(seams)
                     .with_topology(topology)
                     .with_attribute_weights(self.weights.weights());
+                options.height_field = self.keep_height_field.then_some(true);
                 options.cost = self.cost.map_or_else(CollapseCost::default, CollapseCost::from);
                 options.base_triangle_count = base_triangle_count;
                 options.max_error = max_error;
@@ -356,6 +357,7 @@ impl SequenceArgs {
                     .with_group_borders(group_borders)
                     .with_seams(seams)
                     .with_topology(topology);
+                options.height_field = self.keep_height_field.then_some(true);
                 options.base_triangle_count = base_triangle_count;
                 options.max_error = max_error;
                 let removal = &self.removal;
@@ -401,6 +403,7 @@ impl SequenceArgs {
             ("--lock-groups", self.lock_groups),
             ("--keep-seams", self.keep_seams),
             ("--keep-parts", self.keep_parts),
+            ("--keep-height-field", self.keep_height_field),
             ("--feature-angle", self.removal.feature_angle.is_some()),
         ];
         let given: Vec<&str> = flags.into_iter().filter(|flag| flag.1).map(|flag| flag.0).collect();

@@ -242,6 +242,13 @@ impl PagedFile {
         }
     }
 
+    /// Largest error of the steps in pages that have not been read, in mesh units: no level made of the others has a
+    /// smaller one.
+    pub fn unread_error(&self) -> f32 {
+        let unread = self.reader.entries().filter(|&(index, _)| self.reader.page(index).is_none());
+        unread.map(|(_, entry)| entry.error).chain(self.reader.unread_errors()).fold(0.0, f32::max)
+    }
+
     /// Key, index and number of triangles of all known pages, by key.
     fn pages_by_key(&self) -> Vec<(f32, u32, u32)> {
         let entries = self.reader.entries().map(|(index, entry)| {

@@ -16,6 +16,7 @@ pub(crate) struct SimplifyArguments {
     boundary: String,
     seams: String,
     topology: String,
+    height_field: Option<bool>,
     max_error: Option<f64>,
     pair_distance: Option<f64>,
     coarsest: usize,
@@ -58,6 +59,7 @@ impl SimplifyArguments {
             )?)
             .with_base_triangle_count(self.coarsest)
             .with_locked_vertices(self.locked);
+        options.height_field = self.height_field;
         options.max_error = self.max_error;
         options.pair_distance = self.pair_distance;
         if let Some([normal, texcoord, color]) = self.weights {

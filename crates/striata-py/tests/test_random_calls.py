@@ -85,6 +85,7 @@ OPTIONS = st.fixed_dictionaries(
         "boundary": st.sampled_from(["keep", "lock"]),
         "seams": st.sampled_from(["cross", "keep"]),
         "topology": st.sampled_from(["change", "keep_parts", "keep"]),
+        "height_field": st.sampled_from([None, True, False]),
         "pair_distance": st.floats(-1, 1),
         "locked": st.lists(st.integers(-1, 20), max_size=4),
     },

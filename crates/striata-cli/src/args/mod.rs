@@ -137,7 +137,8 @@ pub(crate) struct BuildArgs {
     /// Fail and write nothing if --base cannot be reached
     #[arg(long, requires = "base", help_heading = BASE)]
     pub(crate) strict: bool,
-    /// Guarantee that no point of the original is farther from a level (mesh units, or % of the diagonal)
+    /// Guarantee that no point of the original is farther from a level (mesh units, or % of the diagonal); the
+    /// errors of paged files are estimates
     #[arg(long, value_name = "DISTANCE", allow_negative_numbers = true, help_heading = BASE)]
     pub(crate) max_error: Option<Length>,
     /// How the mesh is simplified.

@@ -272,9 +272,7 @@ fn options_hold_for_paged_files_or_are_refused() {
     assert_eq!(border("--lock-boundary"), 4 * 89);
     assert!(border("") < 300);
     for flag in [
-        "--max-error 0.01",
         "--certify",
-        "--base 5000",
         "--order hausdorff",
         "--cost accumulated",
         "--models fans",
@@ -287,6 +285,74 @@ fn options_hold_for_paged_files_or_are_refused() {
         assert!(message.contains(&format!("a paged file does not support {name}")), "{flag}: {message}");
         assert!(!bench.path("no.striata").exists(), "{flag}");
     }
+}
+
+#[test]
+fn the_base_mesh_of_a_paged_file_is_limited() {
+    let bench = Workbench::new();
+    bench.write("grid.ply", terrain(90, |x, y| [x as f64, y as f64, bump(x, y)]));
+    let built = |flags: &str| {
+        let built = json(&bench, &format!("build grid.ply --cell 2000 {flags} -o t.striata"));
+        let base = json(&bench, "extract t.striata -o base.ply --triangles 1");
+        assert_eq!(base["triangle_count"], built["base_triangles"], "{flags}");
+        (
+            built["base_triangles"].as_u64().unwrap(),
+            base["error"].as_f64().unwrap(),
+            built["shortfall"].clone(),
+        )
+    };
+    let full = 2 * 89 * 89;
+    for (flags, most) in [("--base 3000", 3000), ("--base 700", 700), ("--base 10%", full / 10)] {
+        let (count, _, shortfall) = built(flags);
+        assert!((most - 2..=most).contains(&count) && shortfall.is_null(), "{flags}: {count} {shortfall}");
+    }
+    let (count, error, _) = built("--max-error 2");
+    assert!(error <= 2.0 && error > 1.0 && count < full, "{count} {error}");
+    let (_, error, _) = built("--max-error 1%");
+    assert!(error <= 1.55 && error > 1.0, "{error}");
+    let (count, _, shortfall) = built("--max-error 2 --base 10");
+    assert!(
+        count > 10 && shortfall.as_str().unwrap().contains("would exceed the error limit"),
+        "{shortfall}"
+    );
+    let strict = "build grid.ply --paged --base 10 --lock-boundary --strict -o no.striata";
+    let message = stderr(&bench.run(strict).failure());
+    assert!(message.contains("--strict: the base mesh has") && message.contains("at most 10"), "{message}");
+    assert!(!bench.path("no.striata").exists() && !bench.path("no.striata.work").exists());
+}
+
+/// Number of triangles that do not face up.
+fn turned_count(mesh: &IndexedMesh) -> usize {
+    let area = |t: &&[u32; 3]| {
+        let [a, b, c] = t.map(|v| mesh.positions[v as usize].map(f64::from));
+        (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+    };
+    mesh.triangles.iter().filter(|t| area(t) <= 0.0).count()
+}
+
+#[test]
+fn levels_of_terrain_are_height_fields() {
+    let bench = Workbench::new();
+    let steep = |x: usize, y: usize| (if (x / 9 + y / 7) % 2 == 0 { 300 } else { 0 }) + x * y % 97;
+    let heights: Vec<u8> = (0..61 * 61).flat_map(|i| (steep(i % 61, i / 61) as i16).to_be_bytes()).collect();
+    bench.write("N47E011.hgt", heights);
+    let turned = |line: &str| {
+        let shares = ["50%", "20%", "5%", "1%"];
+        bench.run(&format!("{line} -o level-{{}}.ply --levels {}", shares.join(","))).success();
+        shares.map(|share| turned_count(&mesh(&bench, &format!("level-{}.ply", &share[..share.len() - 1]))))
+    };
+    let count = |line: &str| turned(line).iter().sum::<usize>();
+    assert_eq!(turned("simplify N47E011.hgt"), [0; 4]);
+    assert_eq!(turned("simplify N47E011.hgt --order hausdorff"), [0; 4]);
+    assert_eq!(turned("simplify N47E011.hgt --placement optimal"), [0; 4]);
+    bench.run("build N47E011.hgt --cell 2000 -o t.striata --quiet").success();
+    assert_eq!(turned("extract t.striata"), [0; 4]);
+    // Any mesh may be one.
+    bench.write("grid.ply", terrain(61, |x, y| [x as f64, y as f64, 0.1 * steep(x, y) as f64]));
+    assert!(count("simplify grid.ply") > 0);
+    assert_eq!(turned("simplify grid.ply --keep-height-field"), [0; 4]);
+    bench.run("build grid.ply --paged --keep-height-field -o t.striata --quiet").success();
+    assert_eq!(turned("extract t.striata"), [0; 4]);
 }
 
 #[test]

@@ -37,6 +37,10 @@ pub struct SequenceArgs {
     /// Keep at least one triangle of every connected part; some levels become unreachable
     #[arg(long)]
     pub keep_parts: bool,
+    /// Let no triangle turn over in plan, seen along the z axis, as levels of rasters and generated terrain never
+    /// do; some levels become unreachable
+    #[arg(long)]
+    pub keep_height_field: bool,
     /// Cost function: memoryless (current mesh only), accumulated (sum of all quadrics) or tracked (distance
     /// of every removed vertex; slower, best at coarse levels) [default: memoryless]
     #[arg(long, hide_possible_values = true, help_heading = QUADRIC)]

@@ -85,6 +85,14 @@ pub enum BuildError {
         /// Number of different positions before.
         total: u64,
     },
+    /// The coarsest level has more triangles than it may have.
+    #[error("the base mesh has {triangles} triangles, but must have at most {limit}")]
+    Base {
+        /// Number of triangles that are left.
+        triangles: u64,
+        /// Largest number of triangles.
+        limit: u64,
+    },
     /// Not enough room on the disk.
     #[error("{}: {:.2} GB are needed, {:.2} GB are free", path.display(), gigabytes(*needed), gigabytes(*available))]
     DiskSpace {

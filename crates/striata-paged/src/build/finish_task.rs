@@ -18,6 +18,11 @@ pub(super) fn run(plan: &Plan) -> Result<(), BuildError> {
         _ => None,
     });
     let pages = PartIndex::open(paths)?;
+    let (triangles, limit) =
+        (base_triangle_count(plan)?, plan.options.base_triangle_count(plan.metadata.triangle_count));
+    if plan.options.strict && triangles > limit {
+        return Err(BuildError::Base { triangles, limit });
+    }
     let mut ids: Vec<PageId> = pages.ids().collect();
     ids.sort_by_key(|id| (u8::MAX - id.level, id.cell));
     let mut entries: Vec<PageEntry> = Vec::with_capacity(ids.len());
@@ -156,6 +161,14 @@ fn write_to_address(
 /// Whether an output is an address and not a path.
 pub fn is_address(output: &Path) -> bool {
     output.to_string_lossy().contains("://")
+}
+
+/// Number of triangles of the base page.
+pub(super) fn base_triangle_count(plan: &Plan) -> Result<u64, BuildError> {
+    let id = PageId { level: plan.level_count(), cell: 0 };
+    let pages = PartIndex::open(std::iter::once(plan.pages_path(id.level, 0)))?;
+    let Some((part, segment)) = pages.find(id).next() else { return Err(BuildError::DamagedPart) };
+    Ok(u64::from(split(part, segment)?.0.triangle_count))
 }
 
 /// Entry and bytes of a page.

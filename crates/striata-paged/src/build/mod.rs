@@ -31,7 +31,7 @@ use std::path::{Path, PathBuf};
 pub use error::BuildError;
 pub use finish_task::is_address;
 pub use input::BuildInput;
-pub use options::BuildOptions;
+pub use options::{BuildOptions, Limit};
 pub use plan::{Plan, Stage, Task, TaskKind};
 pub use runner::{run_all, run_stage, run_task};
 pub use simulation::{SimulatedStage, Simulation, SimulationOptions, TaskCosts};
@@ -92,6 +92,14 @@ impl Plan {
             result_bytes: triangles * (RESULT_BYTES_PER_TRIANGLE + components),
             page_count: self.metadata.cell_counts.iter().map(|&count| u64::from(count)).sum::<u64>() + 1,
         }
+    }
+
+    /// Number of triangles of the coarsest level, once all tasks have been run.
+    ///
+    /// # Errors
+    /// [`BuildError`] if the task that encodes it has not been run, or its file is damaged.
+    pub fn base_triangle_count(&self) -> Result<u64, BuildError> {
+        finish_task::base_triangle_count(self)
     }
 
     /// Removes the plan and everything between its tasks. The folder itself stays if it has other files.

@@ -10,6 +10,25 @@ use striata_io::pieces::PieceOptions;
 
 use crate::Metadata;
 
+/// A limit, absolute or relative to the whole mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Limit {
+    /// A number of triangles, or a distance in mesh units.
+    Absolute(f64),
+    /// A fraction of the triangles, or of the diagonal of the bounding box.
+    Share(f64),
+}
+
+impl Limit {
+    pub(super) fn of(self, whole: f64) -> f64 {
+        match self {
+            Self::Absolute(limit) => limit,
+            Self::Share(share) => share * whole,
+        }
+    }
+}
+
 /// Options of a build.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
@@ -45,6 +64,18 @@ pub struct BuildOptions {
     pub lock_groups: bool,
     /// Whether seams only collapse along themselves; default no.
     pub keep_seams: bool,
+    /// Whether no triangle may turn over in plan, seen along the z axis; default if the input is a terrain.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub height_field: Option<bool>,
+    /// Number of triangles at which the coarsest level stops; default none, which simplifies as far as possible.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub base: Option<Limit>,
+    /// Largest estimated error of any level; default none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_error: Option<Limit>,
+    /// Whether a coarsest level of more triangles than `base` is an error, so that nothing is written; default no.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub strict: bool,
     /// Pieces that one task sorts; default 8, about 800,000 triangles.
     pub pieces_per_task: u64,
     /// Cells that one task simplifies or encodes; default 16, about a million triangles.
@@ -69,6 +100,10 @@ impl Default for BuildOptions {
             lock_boundary: false,
             lock_groups: false,
             keep_seams: false,
+            height_field: None,
+            base: None,
+            max_error: None,
+            strict: false,
             pieces_per_task: 8,
             cells_per_task: 16,
         }
@@ -82,8 +117,24 @@ impl BuildOptions {
         options.with_z_scale(self.z_scale).with_nodata(self.nodata)
     }
 
-    /// Options of the cells of one level.
-    pub(super) fn cell_options(&self, metadata: &Metadata, is_last: bool) -> CellOptions {
+    /// Number of triangles at which the coarsest level of a mesh stops. A share gives at least 2, the fewest that a
+    /// closed surface can have.
+    pub(super) fn base_triangle_count(&self, triangle_count: u64) -> u64 {
+        match self.base {
+            None => 0,
+            Some(base) => (base.of(triangle_count as f64) as u64).max(match base {
+                Limit::Share(share) if share > 0.0 => 2,
+                _ => 0,
+            }),
+        }
+    }
+
+    /// Options of the cells of one level of a mesh, which may be a terrain.
+    pub(super) fn cell_options(
+        &self,
+        metadata: &Metadata,
+        (is_terrain, is_last): (bool, bool),
+    ) -> CellOptions {
         let weights = AttributeWeights {
             normal: self.normal_weight,
             texcoord: self.texcoord_weight,
@@ -96,12 +147,16 @@ impl BuildOptions {
             (true, false) => TopologyRule::Change,
         };
         let rule = |is_locked| if is_locked { BoundaryRule::Locked } else { BoundaryRule::Kept };
-        let sequence = SequenceOptions::default()
+        let base = if is_last { self.base_triangle_count(metadata.triangle_count) } else { 0 };
+        let mut sequence = SequenceOptions::default()
+            .with_base_triangle_count(base as usize)
+            .with_height_field(self.height_field.unwrap_or(is_terrain))
             .with_attribute_weights(weights)
             .with_topology(topology)
             .with_boundary(rule(self.lock_boundary))
             .with_group_borders(rule(self.lock_groups))
             .with_seams(if self.keep_seams { SeamRule::Keep } else { SeamRule::Cross });
+        sequence.max_error = self.max_error.map(|error| error.of(metadata.diagonal()));
         let options = CellOptions::new(metadata.diagonal())
             .with_sequence(sequence)
             .with_materials(metadata.groups.iter().map(|group| group.material).collect());

@@ -69,13 +69,28 @@ pub(super) fn scan(
     });
     let samples: Vec<[f32; 3]> = scans.into_iter().flat_map(|scan| scan.samples).collect();
     let per_sample = total.triangle_count as f64 / samples.len().max(1) as f64;
-    let partition = Partition::new(&samples, per_sample, options.cell);
+    let mut partition = Partition::new(&samples, per_sample, options.cell);
+    let base = options.base_triangle_count(total.triangle_count);
+    if base > 0 {
+        partition = partition.with_level_limit(level_limit(total.triangle_count, base));
+    }
     let mut metadata = describe(source, options, &total);
     metadata.cell_counts = partition.levels().iter().map(|level| level.cell_count()).collect();
     let is_too_large = !options.exact && metadata.grid.is_none();
     let note =
         is_too_large.then_some("positions are kept bit for bit: the bounds are too large to round them");
     Ok(Scanned { metadata, partition, piece_count: count, note, weld })
+}
+
+/// Number of levels after which a base mesh is reached. All but the last leave a quarter of the triangles, and only
+/// the last, which has one cell, can stop at a number of them.
+fn level_limit(mut triangle_count: u64, base: u64) -> usize {
+    let mut levels = 1;
+    while triangle_count / 4 >= base {
+        triangle_count /= 4;
+        levels += 1;
+    }
+    levels
 }
 
 fn scan_piece(piece: &Piece) -> PieceScan {
@@ -143,7 +158,7 @@ fn without_folder(name: &str) -> &str {
 fn stored_options(options: &BuildOptions) -> serde_json::Value {
     let mut value = serde_json::to_value(options).unwrap_or_default();
     if let Some(object) = value.as_object_mut() {
-        object.retain(|name, _| !name.ends_with("_per_task"));
+        object.retain(|name, _| !name.ends_with("_per_task") && name != "strict");
     }
     value
 }

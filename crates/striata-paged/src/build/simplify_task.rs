@@ -5,18 +5,19 @@ use std::collections::BTreeMap;
 use striata::mesh::AttributeLayer;
 use striata::simplify::cells::{Cell, CellMesh, CellSteps, simplify_cell};
 
-use super::BuildError;
 use super::part_file::{PartIndex, PartWriter};
 use super::plan::{Plan, Task};
 use super::sort_task::{send, write_cells};
 use super::wire::{PendingPage, Reader, Writer};
+use super::{BuildError, BuildInput};
 use crate::{Import, Page, PageId};
 
 /// Runs a task of a level; `parts` has the triangles of all earlier stages.
 pub(super) fn run(plan: &Plan, task: &Task, level: u8, parts: &PartIndex) -> Result<(), BuildError> {
     let partition = plan.partition()?;
     let is_last = level + 1 == plan.level_count();
-    let options = plan.options.cell_options(&plan.metadata, is_last);
+    let is_terrain = matches!(plan.input, BuildInput::Terrain(_)) || plan.metadata.georeference.is_some();
+    let options = plan.options.cell_options(&plan.metadata, (is_terrain, is_last));
     let like = plan.metadata.empty_mesh();
     let mut left = CellMesh::default();
     let mut writer = PartWriter::create(&plan.steps_path(level, task.first))?;

@@ -305,7 +305,8 @@ impl<'a> TriangleCoder<'a> {
         }
         let met = page.map_or(UNMET, |_| self.met[actual as usize]);
         let [same, is_known, _] = &mut self.same_wedge[..] else { return expected };
-        if same.code(coder, met == expected) {
+        // In damaged bytes, a seed may name a node twice, which has no last vertex yet.
+        if same.code(coder, met == expected) && expected != UNMET {
             return expected;
         }
         let is_full = self.shape.vertices.len() == self.counts.vertices;

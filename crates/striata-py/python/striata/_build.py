@@ -35,6 +35,7 @@ def build(
     boundary: Boundary = "keep",
     seams: Seams = "cross",
     topology: Topology = "change",
+    height_field: bool | None = None,
     locked: ArrayLike | None = None,
     pair_distance: float | None = None,
     coarsest: int = 0,
@@ -52,6 +53,7 @@ def build(
     boundary: Boundary = "keep",
     seams: Seams = "cross",
     topology: Topology = "change",
+    height_field: bool | None = None,
     locked: ArrayLike | None = None,
     pair_distance: float | None = None,
     coarsest: int = 0,
@@ -69,6 +71,7 @@ def build(
     boundary: Boundary = "keep",
     seams: Seams = "cross",
     topology: Topology = "change",
+    height_field: bool | None = None,
     locked: ArrayLike | None = None,
     pair_distance: float | None = None,
     coarsest: int = 0,
@@ -86,6 +89,7 @@ def build(
     boundary: Boundary = "keep",
     seams: Seams = "cross",
     topology: Topology = "change",
+    height_field: bool | None = None,
     locked: ArrayLike | None = None,
     pair_distance: float | None = None,
     coarsest: int = 0,
@@ -103,6 +107,7 @@ def build(
     boundary: Boundary = "keep",
     seams: Seams = "cross",
     topology: Topology = "change",
+    height_field: bool | None = None,
     locked: ArrayLike | None = None,
     pair_distance: float | None = None,
     coarsest: int = 0,
@@ -119,6 +124,7 @@ def build(
     boundary: Boundary = "keep",
     seams: Seams = "cross",
     topology: Topology = "change",
+    height_field: bool | None = None,
     locked: ArrayLike | None = None,
     pair_distance: float | None = None,
     coarsest: int = 0,
@@ -138,7 +144,7 @@ def build(
         Whether errors of all levels and views are bounds that hold everywhere. Takes several times longer.
     coarsest : int
         Number of faces at which to stop; by default as few as possible.
-    attributes, weights, cost, boundary, seams, topology, locked, pair_distance, progress
+    attributes, weights, cost, boundary, seams, topology, height_field, locked, pair_distance, progress
         See `simplify`.
 
     Returns
@@ -164,6 +170,7 @@ def build(
             boundary=boundary,
             seams=seams,
             topology=topology,
+            height_field=height_field,
             pair_distance=pair_distance,
             coarsest=coarsest,
             progress=progress,
@@ -175,6 +182,7 @@ def build(
         boundary=boundary,
         seams=seams,
         topology=topology,
+        height_field=height_field,
         pair_distance=pair_distance,
         coarsest=coarsest,
         locked=indices_of(locked, len(found.points.original), "locked"),

@@ -46,6 +46,7 @@ def simplify(
     boundary: Boundary = "keep",
     seams: Seams = "cross",
     topology: Topology = "change",
+    height_field: bool | None = None,
     locked: ArrayLike | None = None,
     pair_distance: float | None = None,
     progress: Progress = False,
@@ -69,6 +70,7 @@ def simplify(
     boundary: Boundary = "keep",
     seams: Seams = "cross",
     topology: Topology = "change",
+    height_field: bool | None = None,
     locked: ArrayLike | None = None,
     pair_distance: float | None = None,
     progress: Progress = False,
@@ -92,6 +94,7 @@ def simplify(
     boundary: Boundary = "keep",
     seams: Seams = "cross",
     topology: Topology = "change",
+    height_field: bool | None = None,
     locked: ArrayLike | None = None,
     pair_distance: float | None = None,
     progress: Progress = False,
@@ -115,6 +118,7 @@ def simplify(
     boundary: Boundary = "keep",
     seams: Seams = "cross",
     topology: Topology = "change",
+    height_field: bool | None = None,
     locked: ArrayLike | None = None,
     pair_distance: float | None = None,
     progress: Progress = False,
@@ -137,6 +141,7 @@ def simplify(
     boundary: Boundary = "keep",
     seams: Seams = "cross",
     topology: Topology = "change",
+    height_field: bool | None = None,
     locked: ArrayLike | None = None,
     pair_distance: float | None = None,
     progress: Progress = False,
@@ -181,6 +186,9 @@ def simplify(
         Whether attributes that jump at a point may be smeared, at a cost, or block.
     topology : {"change", "keep_parts", "keep"}
         What may happen once no removal is left that keeps the topology.
+    height_field : bool, optional
+        Whether no face may turn over in plan, seen along the z axis; by default if the mesh has a georeference, as
+        rasters of heights do.
     locked : array_like of int or bool, optional
         Points that must stay, as indices or as a mask.
     pair_distance : float, optional
@@ -237,6 +245,7 @@ def simplify(
             boundary=boundary,
             seams=seams,
             topology=topology,
+            height_field=height_field,
             pair_distance=pair_distance,
             progress=progress,
         )
@@ -248,6 +257,7 @@ def simplify(
         boundary=boundary,
         seams=seams,
         topology=topology,
+        height_field=height_field,
         pair_distance=pair_distance,
         locked=indices_of(locked, len(found.points.original), "locked"),
         weights=found_weights,

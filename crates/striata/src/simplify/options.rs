@@ -161,6 +161,9 @@ pub struct SequenceOptions {
     pub seams: SeamRule,
     /// Whether collapses may change the topology once no others are left; default [`TopologyRule::Change`].
     pub topology: TopologyRule,
+    /// Whether no triangle may turn over in plan, seen along the z axis; default if the mesh has a
+    /// [georeference](crate::mesh::Appearance::georeference), as rasters of heights do.
+    pub height_field: Option<bool>,
     /// Vertices of the input that must stay.
     pub locked_vertices: Vec<u32>,
     /// Also contract pairs of vertices that share no edge but are closer than this, in mesh units;
@@ -211,6 +214,7 @@ impl SequenceOptions {
         with_group_borders, group_borders: BoundaryRule;
         with_seams, seams: SeamRule;
         with_topology, topology: TopologyRule;
+        with_height_field, height_field: some bool;
         with_locked_vertices, locked_vertices: Vec<u32>;
         with_pair_distance, pair_distance: some f64;
     }

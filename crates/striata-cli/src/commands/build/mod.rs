@@ -42,7 +42,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     if is_paged(args) {
         let inputs: Vec<PathBuf> = std::iter::once(&args.input).chain(&args.more).cloned().collect();
         check_paged_flags(args)?;
-        return paged::build(&inputs, (&args.paged, &args.sequence, &path), output);
+        return paged::build(&inputs, (args, &path), output);
     }
     output.check_stdout_is_free(is_stdout(&path))?;
     let models = models_of_names(&args.model_names())?;
@@ -121,8 +121,6 @@ fn check_paged_flags(args: &BuildArgs) -> Result<(), Failure> {
     let flags = [
         ("--models", !is_default),
         ("--overlap-errors", args.overlap_errors),
-        ("--base", args.base.is_some()),
-        ("--max-error", args.max_error.is_some()),
         ("--order", sequence.order.of_removals().is_some()),
         ("--certify", sequence.certify),
         ("--cost", sequence.cost.is_some()),

@@ -74,7 +74,7 @@ pub(super) fn run(args: &ExtractArgs, started: Instant, output: &Output) -> Resu
         let shown = LevelMesh { mesh: &level, split_count, stop_reason };
         let secs = started.elapsed().as_secs_f64();
         let report = Report {
-            error: sequence.error_at(split_count),
+            error: sequence.error_at(split_count).max(file.unread_error()),
             pages: Some(pages),
             ..Report::of_level(ModelKind::Fans, request, shown, [secs, secs])
         };

@@ -4,17 +4,20 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use serde::Serialize;
-use striata_command::args::SequenceArgs;
+use striata::simplify::{StopReason, Target};
+use striata_command::args::{Count, Length};
 use striata_command::failure::Failure;
+use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall};
 use striata_command::output::{Output, format_bytes, format_count, format_duration};
+use striata_command::sequence::StepKind;
 use striata_paged::build::{
-    BuildError, BuildInput, BuildOptions, Plan, WorkLock, is_address, remove_work, run_all,
+    BuildError, BuildInput, BuildOptions, Limit, Plan, WorkLock, is_address, remove_work, run_all,
     threads_for_memory,
 };
 
 use super::input::{build_input, build_options, scratch_bytes, work_folder};
 use super::{core_count, failure, failure_of};
-use crate::args::PagedArgs;
+use crate::args::BuildArgs;
 use striata_paged::PagedFile;
 
 /// What was built.
@@ -23,6 +26,9 @@ struct Report {
     output: PathBuf,
     bytes: u64,
     triangles: u64,
+    base_triangles: u64,
+    /// Why the base mesh has more triangles than `--base`; null if it does not.
+    shortfall: Option<String>,
     levels: u8,
     pages: u64,
     seconds: f64,
@@ -36,12 +42,13 @@ struct Report {
 /// If an input cannot be read or something cannot be written; what has been completed stays for the next run.
 pub(crate) fn build(
     inputs: &[PathBuf],
-    (args, sequence, path): (&PagedArgs, &SequenceArgs, &Path),
+    (build, path): (&BuildArgs, &Path),
     output: &Output,
 ) -> Result<(), Failure> {
     let start = Instant::now();
     let input = build_input(inputs)?;
-    let options = sequenced(build_options(&args.cells, output)?, sequence);
+    let args = &build.paged;
+    let options = sequenced(build_options(&args.cells, output)?, build);
     let folder = work_folder(path, args.work.as_deref());
     let memory_threads = args.memory.map_or(usize::MAX, |size| threads_for_memory(size.0, options.cell));
     let threads = args.threads.unwrap_or_else(core_count).clamp(1, memory_threads);
@@ -75,12 +82,13 @@ pub(crate) fn build(
     }
     check_space(&plan)?;
     let run = run_all(&plan, threads, &mut |p| bar.show(p));
-    if matches!(run, Err(BuildError::Merging { .. })) {
+    if matches!(run, Err(BuildError::Merging { .. } | BuildError::Base { .. })) {
         // The plan cannot be completed.
         plan.remove_work().map_err(failure)?;
     }
     run.map_err(failure)?;
     drop(bar);
+    let base_triangles = plan.base_triangle_count().map_err(failure)?;
     plan.remove_work().map_err(failure)?;
     drop(lock);
     let seconds = start.elapsed().as_secs_f64();
@@ -89,14 +97,17 @@ pub(crate) fn build(
         output: path.to_owned(),
         bytes: if is_address(path) { size_at_address(path)? } else { size_of_output(path) },
         triangles,
+        base_triangles,
+        shortfall: shortfall_of(build, (triangles, base_triangles)),
         levels: plan.level_count(),
         pages: plan.estimate().page_count,
         seconds,
         triangles_per_second: triangles as f64 / seconds,
         resumed,
     };
+    let shortfall = report.shortfall.as_ref().map(|why| format!("--base was not reached: {why}\n"));
     let text = format!(
-        "{}: {} triangles in {} pages of {} levels, {} ({:.2} bytes per triangle)\nbuilt in {}{}\n",
+        "{}: {} triangles in {} pages of {} levels, {} ({:.2} bytes per triangle)\nbuilt in {}{}\n{}",
         path.display(),
         format_count(triangles as usize),
         format_count(report.pages as usize),
@@ -105,12 +116,14 @@ pub(crate) fn build(
         report.bytes as f64 / triangles as f64,
         format_duration(seconds),
         if resumed { ", going on where an earlier run ended" } else { "" },
+        shortfall.unwrap_or_default(),
     );
     output.summary(&report, &text)
 }
 
-/// The options of the cells, with what the user said about the order of collapses.
-fn sequenced(options: BuildOptions, sequence: &SequenceArgs) -> BuildOptions {
+/// The options of the cells, with what the user said about the base mesh and the order of collapses.
+fn sequenced(options: BuildOptions, build: &BuildArgs) -> BuildOptions {
+    let sequence = &build.sequence;
     let weights = sequence.weights.weights();
     BuildOptions {
         normal_weight: weights.normal,
@@ -120,8 +133,30 @@ fn sequenced(options: BuildOptions, sequence: &SequenceArgs) -> BuildOptions {
         lock_boundary: sequence.lock_boundary,
         lock_groups: sequence.lock_groups,
         keep_seams: sequence.keep_seams,
+        height_field: sequence.keep_height_field.then_some(true),
+        base: build.base.map(|base| match base {
+            Count::Number(count) => Limit::Absolute(count as f64),
+            Count::Share(share) => Limit::Share(share),
+        }),
+        max_error: build.max_error.map(|error| match error {
+            Length::Absolute(length) => Limit::Absolute(length),
+            Length::OfDiagonal(share) => Limit::Share(share),
+        }),
+        strict: build.strict,
         ..options
     }
+}
+
+/// Explains why the base mesh has more triangles than requested, if it does.
+fn shortfall_of(build: &BuildArgs, (triangles, base_triangles): (u64, u64)) -> Option<String> {
+    let base = build.base?.of_triangles(triangles as usize);
+    let reached = ReachedLevel {
+        vertex_count: 0,
+        triangle_count: base_triangles as usize,
+        stop_reason: if build.max_error.is_some() { StopReason::ErrorLimit } else { StopReason::BaseReached },
+    };
+    let why = CoarseningLimit::Simplification(build.sequence.describe_limit(StepKind::Single));
+    shortfall(Target::Triangles(base), reached, &why)
 }
 
 /// The plan of an interrupted build of the same input with the same options.

@@ -27,6 +27,9 @@ fn failure(error: BuildError) -> Failure {
             .with_hint("put the work folder on another disk with --work, or free some space"),
         BuildError::Merging { .. } => Failure::user(error.to_string())
             .with_hint("keep positions with --exact, or build it anyway with --allow-merging"),
+        BuildError::Base { .. } => {
+            Failure::user(format!("--strict: {error}")).with_hint("remove --strict to get the closest level")
+        }
         BuildError::InputChanged { .. } => {
             Failure::user(error.to_string()).with_hint("begin again: build with --restart, or plan it anew")
         }

@@ -8,8 +8,8 @@ pub struct History {
     /// Key of the step: its cost, rounded, and larger than the key of every step that it depends on. The unit
     /// is the diagonal of the whole mesh to the fourth power.
     pub key: f32,
-    /// Error of the step, mesh units: the root of the sum of its own squared error and the largest squared
-    /// error of the steps that it depends on.
+    /// Error of the step, mesh units: an estimate of the distance between the surface after it and the original,
+    /// no less than the error of any step that it depends on.
     pub error: f32,
 }
 

@@ -9,8 +9,10 @@ use crate::simplify::{SequenceOptions, StopReason};
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct CellOptions {
-    /// Cost, weights and rules of the simplification. [`SequenceOptions::base_triangle_count`] and
-    /// [`SequenceOptions::locked_vertices`] are ignored.
+    /// Cost, weights and rules of the simplification. [`SequenceOptions::base_triangle_count`] counts triangles
+    /// inside the cell, of which no less than [`Self::keep`] are kept. [`SequenceOptions::locked_vertices`] is
+    /// ignored. [`SequenceOptions::max_error`] limits [`History::error`](super::History): steps beyond it are left
+    /// out, with all that depend on them.
     pub sequence: SequenceOptions,
     /// Diagonal of the whole mesh's bounding box, in mesh units: the unit of costs and attribute weights.
     pub diagonal: f64,

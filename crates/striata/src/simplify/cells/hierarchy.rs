@@ -25,7 +25,8 @@ pub struct CellHierarchy {
 
 /// Simplifies a mesh that fits into memory in the same cells, and with the same steps, as a mesh that does not.
 ///
-/// [`CellOptions::keep`] applies to all levels but the last, which simplifies as far as possible.
+/// [`CellOptions::keep`] applies to all levels but the last, which simplifies as far as possible or to
+/// [`SequenceOptions::base_triangle_count`](crate::simplify::SequenceOptions::base_triangle_count).
 ///
 /// # Errors
 /// [`SimplifyError`] if the mesh is inconsistent or an option is out of range.
@@ -39,8 +40,12 @@ pub fn build_in_cells(
     for (k, level) in partition.levels().iter().enumerate() {
         let routed = route(level, &hierarchy.base);
         hierarchy.base = routed.onward;
-        let keep = if k + 1 == level_count { 0.0 } else { options.keep };
-        let options = CellOptions { keep, ..options.clone() };
+        let mut options = options.clone();
+        if k + 1 == level_count {
+            options.keep = 0.0;
+        } else {
+            options.sequence.base_triangle_count = 0;
+        }
         for (number, cell) in routed.cells {
             let simplified = simplify_cell(&cell, &options)?;
             hierarchy.base.append(&simplified.survivors);

@@ -60,6 +60,18 @@ impl Partition {
         }
     }
 
+    /// Ends at this number of levels, at least one and at most as many as there are. One cell of the new last level
+    /// is all of space, however many triangles it has.
+    #[must_use]
+    pub fn with_level_limit(mut self, limit: usize) -> Self {
+        if (1..self.levels.len()).contains(&limit) {
+            self.levels.truncate(limit);
+            let last = &mut self.levels[limit - 1];
+            (last.nodes, last.cell_count) = (vec![Node::Leaf { cell: 0 }], 1);
+        }
+        self
+    }
+
     /// The levels, finest first.
     pub fn levels(&self) -> &[PartitionLevel] {
         &self.levels

@@ -7,7 +7,7 @@ use crate::ignore_progress;
 use crate::mesh::{AttributeLayer, gather_layers};
 use crate::simplify::collapse::refinement_order::CollapseRecord;
 use crate::simplify::collapse::simplifier::Simplifier;
-use crate::simplify::{SequenceOptions, SimplifyError};
+use crate::simplify::{SequenceOptions, SimplifyError, StopReason};
 
 const NONE: u32 = u32::MAX;
 
@@ -20,20 +20,30 @@ pub fn simplify_cell(cell: &Cell, options: &CellOptions) -> Result<SimplifiedCel
     let union = CellUnion::new(cell, &options.materials)?;
     let inside_count = union.inside_of.iter().filter(|&&t| t != BORDER).count();
     let border_count = union.inside_of.len() - inside_count;
-    let kept = (inside_count as f64 * options.keep.clamp(0.0, 1.0)) as usize;
+    let share = (inside_count as f64 * options.keep.clamp(0.0, 1.0)) as usize;
+    let kept = share.max(options.sequence.base_triangle_count);
     let sequence = SequenceOptions {
         base_triangle_count: border_count + kept,
         locked_vertices: union.locked_vertices.clone(),
+        // Errors of finer levels count, too, which the simplifier does not know.
+        max_error: None,
         // A contraction could connect the cell to another one.
         pair_distance: None,
         ..options.sequence.clone()
     };
     let scale = if options.diagonal > 0.0 { options.diagonal } else { 1.0 };
     let simplifier = Simplifier::of_cell(&union.welded, &sequence, scale);
-    let (record, stop_reason) = simplifier.run(&mut ignore_progress)?;
+    let (mut record, mut stop_reason) = simplifier.run(&mut ignore_progress)?;
     let targets = targets_within(&union, &record);
     let mut trace = Trace::new(&union, &cell.inside);
     trace.run(&record, &targets, scale);
+    let is_kept = trace.within(options.sequence.max_error.unwrap_or(f64::INFINITY));
+    if is_kept.contains(&false) {
+        record.retain(&is_kept);
+        stop_reason = StopReason::ErrorLimit;
+        trace = Trace::new(&union, &cell.inside);
+        trace.run(&record, &targets, scale);
+    }
     let numbering = Numbering::new(&union, &record);
     let steps =
         cell_steps(&Parts { cell, union: &union, record: &record, numbering: &numbering }, &trace, &targets);

@@ -15,6 +15,10 @@ pub(super) struct Trace<'a> {
     pub(super) corners: Vec<[u32; 3]>,
     pub(super) is_alive: Vec<bool>,
     histories: Vec<History>,
+    /// Largest error of each triangle's part of the cell's input, mesh units.
+    input_errors: Vec<f32>,
+    /// The same of each position, from what it waits for.
+    input_waits: Vec<f32>,
     /// Steps that each position waits for although they left no triangle at it.
     pub(super) waits: Vec<History>,
     /// First corner (3 * triangle + index) in the list of each position.
@@ -42,11 +46,14 @@ impl<'a> Trace<'a> {
         let history = |&t: &u32| {
             if t == BORDER { None } else { inside.histories.get(t as usize).copied() }.unwrap_or_default()
         };
+        let histories: Vec<History> = union.inside_of.iter().map(history).collect();
         let mut trace = Self {
             union,
             corners: triangles.clone(),
             is_alive: vec![true; triangles.len()],
-            histories: union.inside_of.iter().map(history).collect(),
+            input_errors: histories.iter().map(|history| history.error).collect(),
+            histories,
+            input_waits: vec![0.0; position_count],
             waits: vec![History::default(); position_count],
             head: vec![NONE; position_count],
             tail: vec![NONE; position_count],
@@ -56,6 +63,7 @@ impl<'a> Trace<'a> {
         };
         for &(p, history) in &union.waits {
             trace.waits[p as usize] = trace.waits[p as usize].join(history);
+            trace.input_waits[p as usize] = trace.input_waits[p as usize].max(history.error);
         }
         for (corner, &v) in (0..).zip(triangles.as_flattened()) {
             trace.link(union.welded.positions.position_of(v), corner);
@@ -71,16 +79,28 @@ impl<'a> Trace<'a> {
         self.tail[p as usize] = corner;
     }
 
+    /// Whether the error of each step is at most `limit`. A step that is depends only on steps that are, too.
+    pub(super) fn within(&self, limit: f64) -> Vec<bool> {
+        self.steps.iter().map(|step| f64::from(step.error) <= limit).collect()
+    }
+
     /// Replays all steps. Targets are vertices of the union at positions within the cell.
     pub(super) fn run(&mut self, record: &CollapseRecord, targets: &[u32], scale: f64) {
-        for (&v, cost) in record.removed.iter().zip(&record.costs) {
-            let own = f64::from(cost.distance_squared).sqrt() * scale;
-            self.step(v, targets, (cost.cost, own));
+        let CollapseRecord { removed, costs, errors, removed_triangle_counts: counts, .. } = record;
+        for (i, (&v, cost)) in removed.iter().zip(costs).enumerate() {
+            // A position that lost its last triangle by the step before has moved no surface itself.
+            let own = if counts[i] == 0 { 0.0 } else { f64::from(cost.distance_squared).sqrt() * scale };
+            self.step(v, targets, (cost.cost, own, f64::from(errors[i])));
         }
     }
 
-    /// Removes position `v`; the step has this cost and moves the surface by `own` mesh units.
-    fn step(&mut self, v: u32, targets: &[u32], (cost, own): (f32, f64)) {
+    /// Removes position `v`; the step has this cost and moves the surface by `own` mesh units. Nowhere in the cell
+    /// is the surface then farther than `measured` from the cell's input.
+    ///
+    /// The error is the lesser of two estimates, neither of which falls from one step to those that depend on it. One
+    /// adds up the steps below this one, as if their errors were independent, and is too large where they cancel out.
+    /// The other takes the largest distance in the whole cell, and is too large where that is somewhere else.
+    fn step(&mut self, v: u32, targets: &[u32], (cost, own, measured): (f32, f64, f64)) {
         let positions = &self.union.welded.positions;
         let mut scratch = std::mem::take(&mut self.scratch);
         scratch.star.clear();
@@ -92,11 +112,14 @@ impl<'a> Trace<'a> {
             corner = self.next[corner as usize];
         }
         let before = std::mem::take(&mut self.waits[v as usize]);
-        let history =
-            scratch.star.iter().map(|&c| self.histories[c as usize / 3]).fold(before, History::join);
+        let star = || scratch.star.iter().map(|&c| c as usize / 3);
+        let history = star().map(|t| self.histories[t]).fold(before, History::join);
+        let input_error = star().map(|t| self.input_errors[t]).fold(self.input_waits[v as usize], f32::max);
         // Also larger than 0, which means that there is no step.
         let key = round_key(cost).max(next_key(history.key));
-        let error = round_error((own * own + f64::from(history.error).powi(2)).sqrt() as f32);
+        let sum = |own: f64, below: f32| own * own + f64::from(below).powi(2);
+        let error = sum(own, history.error).min(sum(measured, input_error));
+        let error = round_error(error.sqrt() as f32).max(history.error);
         let step = History { key, error };
         self.steps.push(step);
         let u = positions.position_of(targets[positions.first_vertex(v) as usize]);
@@ -112,6 +135,7 @@ impl<'a> Trace<'a> {
                 scratch.lost.extend(at);
             } else {
                 self.histories[t] = step;
+                self.input_errors[t] = input_error;
                 scratch.kept.extend(at);
             }
         }
@@ -124,6 +148,7 @@ impl<'a> Trace<'a> {
         }
         for &p in scratch.lost.iter().filter(|p| !scratch.kept.contains(p)) {
             self.waits[p as usize] = self.waits[p as usize].join(step);
+            self.input_waits[p as usize] = self.input_waits[p as usize].max(input_error);
         }
         self.scratch = scratch;
     }

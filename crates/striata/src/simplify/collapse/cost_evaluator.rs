@@ -7,6 +7,7 @@ use crate::mesh::Welded;
 use super::attributes::AttributeSpace;
 use super::collapse_choice::{CollapseChoice, CollapseKind};
 use super::fan::point;
+use super::height_field::HeightField;
 use super::legality::Legality;
 use super::links::{LinkKind, Links};
 use super::pairs::Pairs;
@@ -78,6 +79,8 @@ pub(in crate::simplify) struct CostEvaluator<'a> {
     pub(in crate::simplify) relaxed: Option<RelaxedState<'a>>,
     pub(in crate::simplify) attributes: Option<AttributeSpace>,
     pub(in crate::simplify) is_locked: Vec<bool>,
+    /// The test that the mesh stays a height field, if it must.
+    pub(in crate::simplify) height_field: Option<HeightField>,
     /// Whether the mesh was cut out of a larger one, at locked positions.
     pub(in crate::simplify) is_cell: bool,
     seams: SeamRule,
@@ -128,6 +131,7 @@ impl<'a> CostEvaluator<'a> {
                 scale,
             ),
             is_locked: locked_positions(welded, &options.locked_vertices, options.group_borders),
+            height_field: HeightField::of(welded, options.height_field),
             is_cell: false,
             seams: options.seams,
             locks_boundary: options.boundary == BoundaryRule::Locked,
@@ -366,7 +370,10 @@ impl<'a> CostEvaluator<'a> {
     /// the fan.
     fn measure(&mut self, v: u32, k: usize) -> Option<f32> {
         let u = self.star.ids[k];
-        if !self.legality.allows(&self.links, v, u) || (self.pairs.is_some() && !self.leaves_enough(v, u)) {
+        if !self.legality.allows(&self.links, v, u) || !self.keeps_height_field(v, u) {
+            return None;
+        }
+        if self.pairs.is_some() && !self.leaves_enough(v, u) {
             return None;
         }
         if !self.pair(v, k) {
@@ -392,6 +399,11 @@ impl<'a> CostEvaluator<'a> {
                 quadratic + MEMORYLESS_SHARE * self.star.distance_cost(distance_squared)
             }
         })
+    }
+
+    /// Whether collapsing `v`, whose star has been gathered, to `u` leaves a height field if it must.
+    pub(in crate::simplify) fn keeps_height_field(&self, v: u32, u: u32) -> bool {
+        self.height_field.as_ref().is_none_or(|field| field.allows(&self.star, v, u))
     }
 
     /// Returns the full cost of neighbor `k` as the target.
@@ -438,7 +450,10 @@ impl<'a> CostEvaluator<'a> {
         let partners = std::mem::take(&mut self.partners);
         for &target in &partners {
             let to = point(&self.positions, target) - center;
-            if self.links.kind(target) == LinkKind::Empty || self.links.entries(v).contains(&target) {
+            if self.links.kind(target) == LinkKind::Empty
+                || self.links.entries(v).contains(&target)
+                || !self.keeps_height_field(v, target)
+            {
                 continue;
             }
             let distance_squared = self.star.moved_distance_squared(to).unwrap_or(to.length_squared());

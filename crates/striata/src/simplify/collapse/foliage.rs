@@ -73,7 +73,8 @@ impl CostEvaluator<'_> {
             protrusion_squared: moved,
             outward: None,
         };
-        Some((h, choice))
+        self.star.gather(&self.links, &self.positions, h);
+        self.keeps_height_field(h, to).then_some((h, choice))
     }
 
     /// Area of the triangles around some positions; triangles shared by several of them count once.

@@ -36,7 +36,7 @@
 //! | --- | --- |
 //! | `links/`, `legality.rs` | the link of each position; whether a collapse preserves the surface |
 //! | `star/`, `fan.rs` | the star of one position, its quadratic form, the fan each candidate would leave |
-//! | `flat_fold.rs` | whether a triangle would turn over within a flat surface |
+//! | `flat_fold.rs`, `height_field.rs` | whether a triangle would turn over within a flat surface, or in plan |
 //! | `wedges.rs`, `attributes.rs`, `seam_cost.rs`, `charts.rs` | pairing of wedges, cost of attributes |
 //! | `collapse_choice.rs`, `cost_evaluator.rs` | bound and full cost of a position's candidates |
 //! | `quadric.rs`, `tracked.rs`, `pairs.rs` | data of the other two costs; contraction of separate parts |
@@ -57,6 +57,7 @@ pub(super) mod fan;
 pub(super) mod flat_fold;
 pub(super) mod foliage;
 pub(super) mod heap;
+pub(super) mod height_field;
 pub(super) mod legality;
 pub(super) mod links;
 pub(super) mod lost_positions;

@@ -26,6 +26,20 @@ pub(in crate::simplify) struct CollapseRecord {
     pub(in crate::simplify) targets: Vec<u32>,
 }
 
+impl CollapseRecord {
+    /// Drops the steps of a cell that are not kept.
+    pub(in crate::simplify) fn retain(&mut self, is_kept: &[bool]) {
+        fn retain<T>(rows: &mut Vec<T>, is_kept: &[bool]) {
+            let mut is_kept = is_kept.iter();
+            rows.retain(|_| is_kept.next().is_some_and(|&is_kept| is_kept));
+        }
+        retain(&mut self.removed, is_kept);
+        retain(&mut self.errors, is_kept);
+        retain(&mut self.removed_triangle_counts, is_kept);
+        retain(&mut self.costs, is_kept);
+    }
+}
+
 /// Numbering of a welded mesh's vertices for a given order of removed positions.
 pub(in crate::simplify) struct RefinementOrder {
     pub(in crate::simplify) base_position_count: usize,

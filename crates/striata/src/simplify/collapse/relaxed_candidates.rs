@@ -151,7 +151,7 @@ impl CostEvaluator<'_> {
         if removed > MAX_REMOVED || removed >= left || self.strands_locked(v, u, kept) {
             return None;
         }
-        if !self.pair(v, k) {
+        if !self.keeps_height_field(v, u) || !self.pair(v, k) {
             return None;
         }
         if kept == 0 {

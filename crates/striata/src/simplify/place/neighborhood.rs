@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::quadratic_form::{BORDER_WEIGHT, SharedTriangles, StarForm};
 use crate::simplify::collapse::flat_fold::{NOISE, TriangleNormal, turns_over};
+use crate::simplify::collapse::height_field::HeightField;
 use crate::simplify::collapse::links::{LinkEdge, LinkKind, Links};
 
 /// Least squared cosine between the normals of an old triangle and its replacement.
@@ -171,6 +172,17 @@ impl Neighborhood {
             Verdict::Allowed => true,
             Verdict::MayTurn => !self.turns_over(triangle, x),
         })
+    }
+
+    /// Whether all kept triangles keep facing up, or down, when the center, `v`, moves to a place in plan.
+    pub(super) fn keeps_height_field(
+        &self,
+        field: &HeightField,
+        (v, other): (u32, u32),
+        place: [f32; 2],
+    ) -> bool {
+        let corners = self.triangles.iter().map(|t| [t.a, t.b].map(|i| self.ids[i as usize]));
+        corners.filter(|corners| !corners.contains(&other)).all(|ab| field.keeps_facing(v, ab, place))
     }
 
     /// Whether a kept triangle turns over within a flat surface if the center moves by `x`.

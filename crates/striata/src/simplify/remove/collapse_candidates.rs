@@ -56,7 +56,11 @@ impl RemovalEvaluator<'_> {
     fn evaluate_collapse(&mut self, v: u32, k: usize) -> Option<RemovalCandidate> {
         let Self { collapse_evaluator, floor, .. } = self;
         let CostEvaluator { star, legality, links, .. } = collapse_evaluator;
-        if !legality.allows(links, v, star.ids[k]) || !collapse_evaluator.pair(v, k) {
+        let u = star.ids[k];
+        if !legality.allows(links, v, u)
+            || !collapse_evaluator.keeps_height_field(v, u)
+            || !collapse_evaluator.pair(v, k)
+        {
             return None;
         }
         let crossing = collapse_evaluator.crossing_cost(k);

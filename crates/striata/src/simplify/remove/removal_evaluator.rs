@@ -113,6 +113,7 @@ impl<'a> RemovalEvaluator<'a> {
             group_borders: options.group_borders,
             seams: options.seams,
             topology: options.topology,
+            height_field: options.height_field,
             locked_vertices: options.locked_vertices.clone(),
             ..SequenceOptions::default()
         };
@@ -278,10 +279,13 @@ impl<'a> RemovalEvaluator<'a> {
 
     /// Loads the ring of `v` and the new edges that it may get; returns false if it cannot have a floor.
     fn load_hole(&mut self, v: u32) -> bool {
-        let CostEvaluator { links, star, .. } = &self.collapse_evaluator;
+        let CostEvaluator { links, star, height_field, .. } = &self.collapse_evaluator;
         let is_closed = links.kind(v) == LinkKind::Closed;
         let n = star.ids.len();
         self.hole.load((0..n).map(|i| star.offset(i)), is_closed);
+        if let Some(field) = height_field {
+            self.hole.keep_facing(field.facing(star, v), star.ids.iter().map(|&p| field.at(p)));
+        }
         if is_closed && n == 3 {
             // The removal would fold a tetrahedron flat.
             let [a, b, c] = [0, 1, 2].map(|i| star.ids[i]);

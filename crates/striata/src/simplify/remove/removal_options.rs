@@ -83,6 +83,9 @@ pub struct RemovalOptions {
     /// No part vanishes if [`Self::max_error`] is set, and the topology stays if [`Self::feature_angle`] is
     /// set.
     pub topology: TopologyRule,
+    /// Whether no triangle may turn over in plan, seen along the z axis; default if the mesh has a
+    /// [georeference](crate::mesh::Appearance::georeference), as rasters of heights do.
+    pub height_field: Option<bool>,
     /// Vertices of the input that must stay.
     pub locked_vertices: Vec<u32>,
 }
@@ -101,6 +104,7 @@ impl Default for RemovalOptions {
             group_borders: BoundaryRule::default(),
             seams: SeamRule::default(),
             topology: TopologyRule::default(),
+            height_field: None,
             locked_vertices: Vec::new(),
         }
     }
@@ -137,6 +141,7 @@ impl RemovalOptions {
         with_group_borders, group_borders: BoundaryRule;
         with_seams, seams: SeamRule;
         with_topology, topology: TopologyRule;
+        with_height_field, height_field: some bool;
         with_locked_vertices, locked_vertices: Vec<u32>;
     }
 }

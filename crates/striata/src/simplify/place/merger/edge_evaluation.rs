@@ -174,6 +174,7 @@ impl Merger<'_> {
             let mean = edge.normal();
             if self.neighborhood.may_move(position, u, mean)
                 && self.other_neighborhood.may_move(position, v, mean)
+                && self.keeps_height_field((v, u), is_end.then_some(kept), position)
             {
                 let left = self.neighborhood.distance_squared(position, u)
                     + self.other_neighborhood.distance_squared(position, v);
@@ -190,6 +191,22 @@ impl Merger<'_> {
             }
         }
         best
+    }
+
+    /// Whether merging `v` and `u` at a position, or at the end that stays where it is, leaves a height field if it
+    /// must.
+    fn keeps_height_field(&self, (v, u): (u32, u32), end: Option<u32>, position: DVec3) -> bool {
+        self.evaluator.height_field.as_ref().is_none_or(|field| {
+            let place = end.map_or_else(|| self.plan_of(position), |end| field.at(end));
+            self.neighborhood.keeps_height_field(field, (v, u), place)
+                && self.other_neighborhood.keeps_height_field(field, (u, v), place)
+        })
+    }
+
+    /// Place of a position in plan, mesh units.
+    pub(super) fn plan_of(&self, position: DVec3) -> [f32; 2] {
+        let [x, y, _] = self.space.unscaled(position);
+        [x, y]
     }
 
     /// Returns where `position` lies along the edge, from 0 at `kept` to 1 at `removed`.

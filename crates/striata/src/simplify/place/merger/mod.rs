@@ -343,6 +343,12 @@ impl<'a> Merger<'a> {
     }
 
     fn move_to(&mut self, p: u32, position: DVec3) {
+        let place = self.plan_of(position);
+        if position != self.positions[p as usize]
+            && let Some(field) = &mut self.evaluator.height_field
+        {
+            field.move_to(p, place);
+        }
         self.positions[p as usize] = position;
         let [x, y, z] = position.as_vec3().to_array();
         self.evaluator.positions[p as usize] = [x, y, z, 0.0];

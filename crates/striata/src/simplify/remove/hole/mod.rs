@@ -14,6 +14,7 @@ use glam::Vec3;
 
 use super::removal_options::MAX_DEGREE;
 use crate::simplify::collapse::fan::distance_squared;
+use crate::simplify::collapse::height_field::area;
 use search::HoleCost;
 
 /// An open ring has one more position than triangles.
@@ -52,6 +53,9 @@ pub(super) struct Hole {
     normals: [Vec3; MAX_RING],
     /// Whether the old triangle's normal is unreliable.
     is_normal_unreliable: [bool; MAX_RING],
+    /// The ring in plan, and 1 or -1 if new triangles must face up or down; 0 if they need not.
+    plan: [[f32; 2]; MAX_RING],
+    plan_facing: f64,
     least_quality: f32,
     area: f32,
     /// Facing direction of the surface around the diagonal between two members of the ring.
@@ -87,6 +91,7 @@ impl Hole {
         }
         self.allowed[..self.n].fill((1 << self.n) - 1);
         self.area = 0.0;
+        self.plan_facing = 0.0;
         self.least_quality = f32::INFINITY;
         let mut sum = Vec3::ZERO;
         for t in 0..self.triangle_count() {
@@ -105,6 +110,12 @@ impl Hole {
             self.is_normal_unreliable[t] |= self.normals[t].dot(sum) <= 0.0;
         }
         self.measure_diagonals(sum);
+    }
+
+    /// Forbids triangles that do not face up (1) or down (-1) in plan, given the ring in plan.
+    pub(super) fn keep_facing(&mut self, facing: f64, plan: impl Iterator<Item = [f32; 2]>) {
+        self.plan_facing = facing;
+        self.plan.iter_mut().zip(plan).for_each(|(slot, p)| *slot = p);
     }
 
     /// Number of old triangles.
@@ -252,6 +263,9 @@ impl Hole {
         let length = normal.length();
         let thinnest = SLIVER_QUALITY.min(self.least_quality);
         if length == 0.0 || quality(length, edges_squared(corners)) < thinnest {
+            return None;
+        }
+        if self.plan_facing != 0.0 && self.plan_facing * area([i, j, k].map(|x| self.plan[x])) <= 0.0 {
             return None;
         }
         let facing = self.facing_of([i, j, k]);
