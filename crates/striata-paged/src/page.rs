@@ -63,7 +63,7 @@ impl Page {
         self.groups.get(triangle).copied().unwrap_or(0)
     }
 
-    /// Hash of the group and the data of a triangle, which tells triangles with the same corners apart.
+    /// Number that tells triangles with the same corners apart: a hash of group and data.
     pub(crate) fn tag_of(&self, triangle: usize) -> u32 {
         let mut tag = self.group_of(triangle);
         for layer in &self.triangle_layers {

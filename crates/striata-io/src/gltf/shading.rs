@@ -57,8 +57,8 @@ fn add_material(mesh: &mut IndexedMesh, is_closed: bool) {
 
 /// Edges of a mesh between positions.
 struct Edges {
-    /// The smaller and the larger position of an edge, and the corner of a triangle where the edge begins;
-    /// sorted.
+    /// Sides of triangles, sorted: the ends of the edge as positions, the lower first, and the corner where it
+    /// begins.
     sides: Vec<([u32; 2], u32)>,
     /// Position of each vertex.
     position_of: Vec<u32>,
