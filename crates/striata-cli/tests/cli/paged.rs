@@ -333,7 +333,7 @@ fn turned_count(mesh: &IndexedMesh) -> usize {
 #[test]
 fn levels_of_terrain_are_height_fields() {
     let bench = Workbench::new();
-    let steep = |x: usize, y: usize| (if (x / 9 + y / 7) % 2 == 0 { 300 } else { 0 }) + x * y % 97;
+    let steep = |x: usize, y: usize| (if (x / 9 + y / 7).is_multiple_of(2) { 300 } else { 0 }) + x * y % 97;
     let heights: Vec<u8> = (0..61 * 61).flat_map(|i| (steep(i % 61, i / 61) as i16).to_be_bytes()).collect();
     bench.write("N47E011.hgt", heights);
     let turned = |line: &str| {
