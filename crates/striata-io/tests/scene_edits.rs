@@ -133,7 +133,8 @@ fn moving(count: usize) -> TestScene {
         scene.push("accessors", accessor)
     };
     let mut samplers = Vec::new();
-    let tracks: [(usize, &str, &dyn Fn(usize) -> Vec<f32>); 3] =
+    type OfKey<'v> = &'v dyn Fn(usize) -> Vec<f32>;
+    let tracks: [(usize, &str, OfKey<'_>); 3] =
         [(4, "LINEAR", &turn), (3, "LINEAR", &line), (3, "STEP", &step)];
     for (width, interpolation, value) in tracks {
         let input = push(1, (0..count).map(time).collect());
