@@ -69,7 +69,7 @@ impl Neighborhood {
             LinkKind::Empty => {}
             LinkKind::Closed if seam_weight.is_none() => {}
             LinkKind::Open if seam_weight.is_none() => self.borders.extend([0, self.ids.len() as u32 - 1]),
-            _ => self.find_borders(seam_weight),
+            _ => self.find_borders(links.has_two_sides(), seam_weight),
         }
     }
 
@@ -91,7 +91,7 @@ impl Neighborhood {
         }
     }
 
-    fn find_borders(&mut self, seam_weight: Option<SeamWeight<'_>>) {
+    fn find_borders(&mut self, has_two_sides: bool, seam_weight: Option<SeamWeight<'_>>) {
         for i in 0..self.ids.len() as u32 {
             let mut after = self.triangles.iter().filter(|t| t.a == i);
             let mut before = self.triangles.iter().filter(|t| t.b == i);
@@ -99,9 +99,9 @@ impl Neighborhood {
             // sides has two, or none at its boundary, where only opposite copies meet.
             let firsts = [after.next(), before.next(), after.next(), before.next()];
             let sides = match firsts {
-                [Some(s), Some(t), None, None] if s.b != t.a => [Some((s, t)), None],
+                [Some(s), Some(t), None, None] if !has_two_sides || s.b != t.a => [Some((s, t)), None],
                 [Some(s), Some(t), Some(r), Some(u)]
-                    if after.next().is_none() && before.next().is_none() && s.b != r.b =>
+                    if has_two_sides && after.next().or(before.next()).is_none() && s.b != r.b =>
                 {
                     match [t.a, u.a] {
                         [a, b] if [a, b] == [s.b, r.b] => [Some((s, u)), Some((r, t))],

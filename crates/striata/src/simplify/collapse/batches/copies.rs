@@ -86,7 +86,7 @@ fn layers_of_triangles(mesh: &IndexedMesh, adjacency: &Adjacency) -> Vec<u32> {
         let layer = is_free.iter().position(|&is_free| is_free).unwrap_or(MAX_LAYERS - 1) as u32;
         for &Contact { place, key, .. } in sheet {
             let taken = &mut taken[place as usize];
-            if taken.len() < MAX_LAYERS {
+            if taken.len() < MAX_LAYERS && !taken.contains(&(layer, key)) {
                 taken.push((layer, key));
             }
         }

@@ -42,6 +42,8 @@ pub(in crate::simplify) struct Links {
     /// For each of `entries`, the triangle that begins with it. Empty unless triangles are followed.
     triangles: Vec<u32>,
     follows_triangles: bool,
+    /// Whether some triangle of the original mesh has an opposite copy.
+    has_two_sides: bool,
     ring: Vec<u32>,
     ring_triangles: Vec<u32>,
     edges: Vec<LinkEdge>,
@@ -83,6 +85,7 @@ impl Links {
             entries: Vec::with_capacity(triangles.len() * 3 + position_count * (SLACK as usize + 1)),
             triangles: Vec::new(),
             follows_triangles,
+            has_two_sides: false,
             ring: Vec::new(),
             ring_triangles: Vec::new(),
             edges: Vec::new(),
@@ -103,7 +106,25 @@ impl Links {
             links.slabs.push(Slab { start: 0, len: 0, capacity: 0, kind: LinkKind::Empty });
             links.set(p as u32, &edges);
         }
+        links.has_two_sides = (0..position_count as u32).any(|p| links.has_opposite_edges(p));
         links
+    }
+
+    /// Whether some triangle of the original mesh has an opposite copy, as in a sheet that is modeled from both
+    /// sides. Closed parts that become flat only later do not count.
+    pub(in crate::simplify) fn has_two_sides(&self) -> bool {
+        self.has_two_sides
+    }
+
+    /// Whether two triangles at `v` have the same corners in opposite order.
+    fn has_opposite_edges(&self, v: u32) -> bool {
+        if self.kind(v) != LinkKind::Edges {
+            return false;
+        }
+        let pairs = self.entries(v).chunks_exact(2);
+        let mut pairs: Vec<_> = pairs.map(|e| (e[0].min(e[1]), e[0].max(e[1]), e[0] < e[1])).collect();
+        pairs.sort_unstable();
+        pairs.windows(2).any(|w| (w[0].0, w[0].1) == (w[1].0, w[1].1) && w[0].2 != w[1].2)
     }
 
     /// Whether the links store triangle indices.
@@ -111,7 +132,7 @@ impl Links {
         self.follows_triangles
     }
 
-    /// Whether a position lies on an edge with only one triangle, or with one and its opposite copy.
+    /// Whether a position lies on an edge with only one triangle, or only with both sides of one.
     pub(in crate::simplify) fn is_boundary(&self, v: u32) -> bool {
         match self.kind(v) {
             LinkKind::Open => true,
@@ -123,7 +144,9 @@ impl Links {
                 sides.sort_unstable();
                 sides.chunk_by(|a, b| a.0 == b.0).any(|run| match *run {
                     [_] => true,
-                    [(_, a_begins, a), (_, b_begins, b)] => a_begins != b_begins && a == b,
+                    [(_, a_begins, a), (_, b_begins, b)] => {
+                        self.has_two_sides && a_begins != b_begins && a == b
+                    }
                     _ => false,
                 })
             }

@@ -94,13 +94,15 @@ impl Star {
 
     /// Whether each triangle has an opposite copy, as in a sheet that is modeled from both sides.
     pub(in crate::simplify) fn is_two_sided(&self) -> bool {
-        !self.pairs.is_empty() && self.pairs.iter().all(|&[a, b]| self.pairs.contains(&[b, a]))
+        self.has_two_sides
+            && !self.pairs.is_empty()
+            && self.pairs.iter().all(|&[a, b]| self.pairs.contains(&[b, a]))
     }
 
-    /// Whether two triangles have the same corners in opposite order.
+    /// Whether two triangles are both sides of a sheet: they have the same corners in opposite order.
     fn are_opposite(&self, t: usize, s: usize) -> bool {
         let [a, b] = self.triangle(t);
-        self.triangle(s) == [b, a]
+        self.has_two_sides && self.triangle(s) == [b, a]
     }
 
     /// Whether four triangles at an edge are two different ones and their opposite copies.

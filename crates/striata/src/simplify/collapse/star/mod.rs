@@ -48,6 +48,8 @@ pub(in crate::simplify) struct Star {
     offsets: Coordinates,
     /// Corners of each triangle as indices into `ids`; empty for rings, whose triangle i is (i, i + 1).
     pairs: Vec<[u32; 2]>,
+    /// Whether triangles with opposite copies belong to a sheet that is modeled from both sides.
+    has_two_sides: bool,
     /// Both corners of each triangle if `pairs` is used.
     corners: [Coordinates; 2],
     /// Unscaled normals of the triangles, then zeros up to whole lanes.
@@ -125,6 +127,7 @@ impl Star {
     /// Gathers the star of `v`, with triangle indices if the links store them.
     pub(in crate::simplify) fn gather(&mut self, links: &Links, positions: &[[f32; 4]], v: u32) {
         self.pairs.clear();
+        self.has_two_sides = links.has_two_sides();
         match links.kind(v) {
             LinkKind::Closed | LinkKind::Open => {
                 self.ids.clear();
