@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::fmt::Debug;
 use std::ops::ControlFlow;
 
-use striata::mesh::{Adjacency, IndexedMesh, Levels, shapes, weld};
+use striata::mesh::{Adjacency, Edge, IndexedMesh, Levels, shapes, weld};
 use striata::simplify::{BoundaryRule, SeamRule, SimplifyError, StopReason, TopologyRule};
 use striata::{Cancelled, ProgressFn, ignore_progress};
 
@@ -90,12 +90,27 @@ pub fn positions_of(mesh: &IndexedMesh, vertex_count: usize) -> BTreeSet<[u32; 3
     mesh.positions[..vertex_count].iter().map(|&p| key(p)).collect()
 }
 
-/// Positions on the boundary.
+/// Positions on the boundary: at edges with one triangle, or only with both sides of one.
 pub fn boundary_of(mesh: &IndexedMesh) -> BTreeSet<[u32; 3]> {
+    ends_of_edges(mesh, |adjacency, edge| {
+        let apex = |side: u32| adjacency.triangles()[side as usize / 3][(side as usize + 2) % 3];
+        match (edge.forward, edge.backward) {
+            (&[forward], &[backward]) => apex(forward) == apex(backward),
+            _ => edge.is_boundary(),
+        }
+    })
+}
+
+/// Positions at edges with one triangle.
+pub fn open_edges_of(mesh: &IndexedMesh) -> BTreeSet<[u32; 3]> {
+    ends_of_edges(mesh, |_, edge| edge.is_boundary())
+}
+
+fn ends_of_edges(mesh: &IndexedMesh, counts: impl Fn(&Adjacency, &Edge<'_>) -> bool) -> BTreeSet<[u32; 3]> {
     let welded = weld(mesh).expect("test meshes are valid");
     let adjacency = Adjacency::of_positions(&welded.mesh, &welded.positions);
     let place = |p: u32| key(welded.mesh.positions[welded.positions.first_vertex(p) as usize]);
-    adjacency.edges().filter(|e| e.is_boundary()).flat_map(|e| e.ends).map(place).collect()
+    adjacency.edges().filter(|e| counts(&adjacency, e)).flat_map(|e| e.ends).map(place).collect()
 }
 
 /// Positions used by triangles of more than one group.
