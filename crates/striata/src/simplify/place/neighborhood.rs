@@ -69,7 +69,7 @@ impl Neighborhood {
             LinkKind::Empty => {}
             LinkKind::Closed if seam_weight.is_none() => {}
             LinkKind::Open if seam_weight.is_none() => self.borders.extend([0, self.ids.len() as u32 - 1]),
-            _ => self.find_borders(links.has_two_sides(), seam_weight),
+            _ => self.find_borders(links.has_two_sides(v), seam_weight),
         }
     }
 

@@ -42,8 +42,8 @@ pub(in crate::simplify) struct Links {
     /// For each of `entries`, the triangle that begins with it. Empty unless triangles are followed.
     triangles: Vec<u32>,
     follows_triangles: bool,
-    /// Whether some triangle of the original mesh has an opposite copy.
-    has_two_sides: bool,
+    /// Whether each position had a triangle with an opposite copy in the original mesh; empty if none had.
+    has_two_sides: Vec<bool>,
     ring: Vec<u32>,
     ring_triangles: Vec<u32>,
     edges: Vec<LinkEdge>,
@@ -85,7 +85,7 @@ impl Links {
             entries: Vec::with_capacity(triangles.len() * 3 + position_count * (SLACK as usize + 1)),
             triangles: Vec::new(),
             follows_triangles,
-            has_two_sides: false,
+            has_two_sides: Vec::new(),
             ring: Vec::new(),
             ring_triangles: Vec::new(),
             edges: Vec::new(),
@@ -106,14 +106,17 @@ impl Links {
             links.slabs.push(Slab { start: 0, len: 0, capacity: 0, kind: LinkKind::Empty });
             links.set(p as u32, &edges);
         }
-        links.has_two_sides = (0..position_count as u32).any(|p| links.has_opposite_edges(p));
+        let all = 0..position_count as u32;
+        if all.clone().any(|p| links.has_opposite_edges(p)) {
+            links.has_two_sides = all.map(|p| links.has_opposite_edges(p)).collect();
+        }
         links
     }
 
-    /// Whether some triangle of the original mesh has an opposite copy, as in a sheet that is modeled from both
-    /// sides. Closed parts that become flat only later do not count.
-    pub(in crate::simplify) fn has_two_sides(&self) -> bool {
-        self.has_two_sides
+    /// Whether a position had a triangle with an opposite copy in the original mesh, as in a sheet that is modeled
+    /// from both sides. Closed parts that become flat only later do not count.
+    pub(in crate::simplify) fn has_two_sides(&self, v: u32) -> bool {
+        self.has_two_sides.get(v as usize).is_some_and(|&has_two| has_two)
     }
 
     /// Whether two triangles at `v` have the same corners in opposite order.
@@ -145,7 +148,7 @@ impl Links {
                 sides.chunk_by(|a, b| a.0 == b.0).any(|run| match *run {
                     [_] => true,
                     [(_, a_begins, a), (_, b_begins, b)] => {
-                        self.has_two_sides && a_begins != b_begins && a == b
+                        self.has_two_sides(v) && a_begins != b_begins && a == b
                     }
                     _ => false,
                 })

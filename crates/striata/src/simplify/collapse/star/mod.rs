@@ -127,7 +127,7 @@ impl Star {
     /// Gathers the star of `v`, with triangle indices if the links store them.
     pub(in crate::simplify) fn gather(&mut self, links: &Links, positions: &[[f32; 4]], v: u32) {
         self.pairs.clear();
-        self.has_two_sides = links.has_two_sides();
+        self.has_two_sides = links.has_two_sides(v);
         match links.kind(v) {
             LinkKind::Closed | LinkKind::Open => {
                 self.ids.clear();
