@@ -4,7 +4,8 @@ use std::collections::HashMap;
 use std::ops::{ControlFlow, Range};
 use std::sync::{Arc, OnceLock};
 
-use striata::mesh::{IndexedMesh, Levels};
+use glam::{DMat4, DVec3};
+use striata::mesh::IndexedMesh;
 use striata::simplify::SimplifyError;
 use striata::{Cancelled, Lod, LodOptions, Progress, ProgressFn, Target, ignore_progress};
 use striata_io::Scene;
@@ -133,10 +134,26 @@ impl LodScene {
     /// Levels of all meshes in one order; merged at first use.
     pub fn levels(&self) -> &SceneLevels {
         self.shared.levels.get_or_init(|| {
-            let levels: Vec<Option<&Levels>> =
-                self.lods().iter().map(|lod| Some(lod.as_ref()?.sequence().levels())).collect();
-            SceneLevels::new(&levels, &MeshWeight::of_scene(self.scene()))
+            SceneLevels::of_lods(self.lods(), &MeshWeight::of_scene(self.scene()), self.diagonal())
         })
+    }
+
+    /// Diagonal of the box around all instances, in units of the scene.
+    fn diagonal(&self) -> f64 {
+        let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for instance in self.scene().instances() {
+            let bounds = self.lods()[instance.mesh].as_ref().and_then(|lod| lod.mesh().bounds());
+            let Some(bounds) = bounds else { continue };
+            let transform = DMat4::from_cols_array(&instance.transform);
+            for corner in 0..8 {
+                let side =
+                    |axis: usize| if corner >> axis & 1 == 0 { bounds.min[axis] } else { bounds.max[axis] };
+                let point = transform.transform_point3(DVec3::from_array([0, 1, 2].map(side).map(f64::from)));
+                (min, max) = (min.min(point), max.max(point));
+            }
+        }
+        let diagonal = (max - min).length();
+        if diagonal.is_finite() { diagonal } else { 1.0 }
     }
 
     /// Number of triangles of the full scene; those of a mesh count once for each instance.

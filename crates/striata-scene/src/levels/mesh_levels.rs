@@ -77,14 +77,18 @@ pub(super) fn first_meshes(meshes: &[Option<MeshLevels>]) -> Vec<usize> {
     meshes.iter().enumerate().map(first).collect()
 }
 
-/// Returns the mesh of each step of coarsening, ordered by the error after the step, then by mesh.
-pub(super) fn merged_order(meshes: &[Option<MeshLevels>]) -> Vec<u32> {
+/// Returns the mesh of each step of coarsening, ordered by the key of the step, then by mesh. `key_of` has the keys of
+/// the steps of a mesh, by the split count after each; they are not negative, and do not fall as the mesh gets coarser.
+pub(super) fn merged_order(
+    meshes: &[Option<MeshLevels>],
+    key_of: impl Fn(&MeshLevels, usize, usize) -> f64,
+) -> Vec<u32> {
     let step_count = meshes.iter().flatten().map(|mesh| mesh.levels.step_count()).sum();
     let mut order = Vec::with_capacity(step_count);
-    // Errors are not negative, so their bits have the order of the numbers.
+    // The bits of numbers that are not negative have their order.
     let key = |mesh: usize, split_count: usize| {
-        let error = meshes[mesh].as_ref().map_or(0.0, |levels| levels.error_at(split_count));
-        Reverse((error.to_bits(), mesh as u32, split_count))
+        let key = meshes[mesh].as_ref().map_or(0.0, |levels| key_of(levels, mesh, split_count));
+        Reverse((key.to_bits(), mesh as u32, split_count))
     };
     let with_steps = meshes.iter().enumerate().filter_map(|(mesh, levels)| {
         let split_count = levels.as_ref()?.levels.step_count().checked_sub(1)?;

@@ -1,23 +1,25 @@
-//! Distribution of a target over all meshes of a scene by one priority: the error in units of the scene.
+//! Distribution of a target over all meshes of a scene by one priority.
 //!
-//! Each mesh has its own sequence of levels. From the full scene, the mesh whose next coarser level has the
-//! least error is always coarsened next. Errors never fall as a mesh gets coarser, so all steps up to an
-//! error together give the coarsest level of each mesh within that error. Equal errors are ordered by the
-//! index of the mesh.
+//! Each mesh has its own sequence of levels. From the full scene, the mesh whose next step adds the least squared
+//! error for each triangle that it saves is always coarsened next (`curve`), as if the scene were one mesh. Where only
+//! the sizes and errors of levels are known, it is the mesh whose next coarser level has the least error. A limit of the
+//! error selects the coarsest level of each mesh within it. Equal priorities are ordered by the index of the mesh.
 //!
 //! The merged order is stored as one mesh index per step, with the state of all meshes at the start of each
 //! block of steps, so that any position of the order is found without walking through all of it. Cost: a
-//! merge with a heap, O(steps log meshes), once; a target then takes a search over blocks and one block.
+//! replay of all sequences and a merge with a heap, O(steps log meshes), once; a target then takes a search over
+//! blocks and one block.
 //! Memory: about 20 bytes per step.
 
 use std::collections::BTreeMap;
 
+mod curve;
 mod mesh_levels;
 mod weight;
 
-use striata::Target;
 use striata::mesh::Levels;
 use striata::simplify::StopReason;
+use striata::{Lod, Target};
 
 use mesh_levels::{Counts, MeshLevels, first_meshes, merged_order};
 pub use weight::MeshWeight;
@@ -66,11 +68,34 @@ struct Block {
 }
 
 impl SceneLevels {
-    /// Merges the levels of all meshes; [`None`] for entries without triangles.
+    /// Merges the levels of all meshes by their errors; [`None`] for entries without triangles.
     ///
     /// Weights that are missing at the end of the list are [`MeshWeight::default`]. A scale that is not a
     /// positive number counts as 1.
     pub fn new(meshes: &[Option<&Levels>], weights: &[MeshWeight]) -> Self {
+        Self::merged(meshes, weights, |_, _| Vec::new())
+    }
+
+    /// Merges the levels of all meshes so that the summed squared error is least, attributes included, like in
+    /// [`new`](Self::new) otherwise. `diagonal` is that of the scene, against which attributes are weighed.
+    pub fn of_lods(lods: &[Option<Lod>], weights: &[MeshWeight], diagonal: f64) -> Self {
+        let levels: Vec<_> = lods.iter().map(|lod| Some(lod.as_ref()?.sequence().levels())).collect();
+        Self::merged(&levels, weights, |mesh, scale| {
+            let Some(lod) = &lods[mesh] else { return Vec::new() };
+            let errors = curve::step_errors(lod, diagonal / scale);
+            let count = |step: usize| lod.sequence().triangle_count_at(lod.step_count() - step);
+            let prices = curve::prices(&errors, count);
+            // Squared lengths times areas, in units of the scene.
+            prices.into_iter().map(|price| price * scale.powi(4)).collect()
+        })
+    }
+
+    /// `prices_of` returns the keys of the steps of a mesh, given its scale; errors are the keys if there are none.
+    fn merged(
+        meshes: &[Option<&Levels>],
+        weights: &[MeshWeight],
+        prices_of: impl Fn(usize, f64) -> Vec<f64>,
+    ) -> Self {
         let weight_of = |mesh: usize| {
             let weight = weights.get(mesh).copied().unwrap_or_default();
             let is_scale = weight.scale > 0.0 && weight.scale.is_finite();
@@ -80,9 +105,22 @@ impl SceneLevels {
             |(mesh, levels): (usize, &Levels)| MeshLevels { levels: levels.clone(), weight: weight_of(mesh) };
         let meshes: Vec<Option<MeshLevels>> =
             meshes.iter().enumerate().map(|(mesh, levels)| Some(with_weight((mesh, (*levels)?)))).collect();
-        let order = merged_order(&meshes);
+        let first_of = first_meshes(&meshes);
+        let mut prices: Vec<Vec<f64>> = Vec::with_capacity(meshes.len());
+        for (number, mesh) in meshes.iter().enumerate() {
+            prices.push(match mesh {
+                Some(mesh) if first_of[number] == number => prices_of(number, mesh.weight.scale),
+                _ => Vec::new(),
+            });
+        }
+        let order = merged_order(&meshes, |mesh, number, split_count| {
+            let prices = &prices[first_of[number]];
+            let step = mesh.levels.step_count() - 1 - split_count;
+            prices.get(step).copied().unwrap_or_else(|| mesh.error_at(split_count))
+        });
+        drop(prices);
         let mut levels = Self {
-            first_of: first_meshes(&meshes),
+            first_of,
             full: Counts::default(),
             base: Counts::default(),
             meshes,

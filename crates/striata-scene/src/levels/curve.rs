@@ -1,0 +1,290 @@
+//! What each step of coarsening adds to the squared error of a mesh, and in what order several meshes are coarsened.
+//!
+//! The squared error of a step is the integral of the squared distance that it moves the surface, with the change of
+//! attributes as a length: the measure by which the simplifier orders the steps of a single mesh. It is computed from
+//! the sequence alone, so files and streams of any age have it. A removed position `p`, with a star of area `A`, comes
+//! to lie at the distance `d` from the triangles that replace its star. Distances fall from `d` at `p` to 0 at the
+//! border of the star, which makes the integral `A d² / 6`. A step that gives the mesh a larger error than all before it
+//! moves its star by that error as a whole, such as a part that vanishes; `A` is then at least the area of the original
+//! surface that `p` stands for.
+//!
+//! ```text
+//!   summed error            x   one step: not convex, if a large part must go early
+//!        |          x - x       the hull takes the steps from x to the end as one run
+//!        |        /             with one price
+//!        |  x - x
+//!        +------------- triangles saved
+//! ```
+//!
+//! A price is the error that a run adds for each triangle it saves. The prices of the lower convex hull of a mesh
+//! rise, so that always taking the cheapest run of all meshes gives the least summed error for any number of
+//! triangles (Everett 1963, Lagrange multipliers for the optimum allocation of resources).
+
+use glam::Vec3;
+use striata::Lod;
+use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
+use striata::simplify::AttributeWeights;
+
+const NONE: u32 = u32::MAX;
+
+/// Attributes of a mesh as lengths: a difference counts like a distance.
+struct Lengths<'m> {
+    /// Layers with the length of a difference of 1.
+    layers: Vec<(&'m AttributeLayer, f64)>,
+}
+
+impl<'m> Lengths<'m> {
+    /// `diagonal` is that of the scene, in mesh units.
+    fn of(mesh: &'m IndexedMesh, diagonal: f64) -> Self {
+        let weights = AttributeWeights::default();
+        let weight = |layer: &AttributeLayer| match layer.semantic {
+            Semantic::Normal => Some(weights.normal),
+            Semantic::TexCoord(0) => Some(weights.texcoord),
+            Semantic::Color(0) => Some(weights.color),
+            _ => None,
+        };
+        let layers = mesh.layers.iter();
+        let layers = layers.filter_map(|layer| Some((layer, f64::from(weight(layer)?) * diagonal)));
+        Self { layers: layers.collect() }
+    }
+
+    /// Squared length of the difference between a vertex and a point of a triangle.
+    fn squared(&self, vertex: u32, corners: [u32; 3], at: Vec3) -> f64 {
+        let mut sum = 0.0;
+        for (layer, length) in &self.layers {
+            for component in 0..layer.component_count as usize {
+                let value = |v: u32| layer.get(v as usize, component);
+                let on_triangle: f32 = corners.iter().zip(at.to_array()).map(|(&v, w)| w * value(v)).sum();
+                let difference = f64::from(value(vertex) - on_triangle) * length;
+                sum += difference * difference;
+            }
+        }
+        sum
+    }
+}
+
+/// Triangles around each position, as lists of corners (3 * triangle + index).
+struct Stars {
+    corners: Vec<[u32; 3]>,
+    position_of: Vec<u32>,
+    head: Vec<u32>,
+    tail: Vec<u32>,
+    next: Vec<u32>,
+}
+
+impl Stars {
+    fn new(lod: &Lod) -> Self {
+        let positions = lod.sequence().positions();
+        let corners = lod.mesh().triangles.clone();
+        let position_count = positions.position_count();
+        let mut position_of = vec![0; positions.vertex_count()];
+        for position in 0..position_count as u32 {
+            positions.wedges(position).for_each(|vertex| position_of[vertex as usize] = position);
+        }
+        let next = vec![NONE; 3 * corners.len()];
+        let (head, tail) = (vec![NONE; position_count], vec![NONE; position_count]);
+        let mut stars = Self { corners, position_of, head, tail, next };
+        for corner in 0..stars.next.len() as u32 {
+            let position = stars.position_at(corner);
+            stars.append(position, corner);
+        }
+        stars
+    }
+
+    fn vertex_at(&self, corner: u32) -> u32 {
+        self.corners[corner as usize / 3][corner as usize % 3]
+    }
+
+    fn position_at(&self, corner: u32) -> u32 {
+        self.position_of[self.vertex_at(corner) as usize]
+    }
+
+    fn append(&mut self, position: u32, corner: u32) {
+        self.next[corner as usize] = NONE;
+        match self.tail[position as usize] {
+            NONE => self.head[position as usize] = corner,
+            last => self.next[last as usize] = corner,
+        }
+        self.tail[position as usize] = corner;
+    }
+
+    /// Takes the corners of a position whose triangles are left.
+    fn take(&mut self, position: u32, star: &mut Vec<u32>) {
+        star.clear();
+        let mut corner = std::mem::replace(&mut self.head[position as usize], NONE);
+        self.tail[position as usize] = NONE;
+        while corner != NONE {
+            let [a, b, c] = self.corners[corner as usize / 3].map(|v| self.position_of[v as usize]);
+            if a != b && b != c && c != a {
+                star.push(corner);
+            }
+            corner = self.next[corner as usize];
+        }
+    }
+}
+
+/// Returns the squared error of each step, from the full mesh to the base, in mesh units to the fourth power.
+pub(super) fn step_errors(lod: &Lod, diagonal: f64) -> Vec<f64> {
+    let (mesh, sequence) = (lod.mesh(), lod.sequence());
+    let lengths = Lengths::of(mesh, diagonal);
+    let mut stars = Stars::new(lod);
+    let mut star = Vec::new();
+    let point = |vertex: u32| Vec3::from(mesh.positions[vertex as usize]);
+    // Area of the original surface that each position stands for.
+    let mut areas = vec![0.0; sequence.positions().position_count()];
+    for triangle in &mesh.triangles {
+        let [a, b, c] = triangle.map(point);
+        let third = f64::from((b - a).cross(c - a).length()) / 6.0;
+        triangle.iter().for_each(|&v| areas[stars.position_of[v as usize] as usize] += third);
+    }
+    let mut errors = Vec::with_capacity(sequence.step_count());
+    for step in (0..sequence.step_count()).rev() {
+        let vertices = sequence.step_vertices(step);
+        let Some(first) = vertices.clone().next() else {
+            errors.push(0.0);
+            continue;
+        };
+        let (removed, target) = (stars.position_of[first as usize], sequence.target(first));
+        stars.take(removed, &mut star);
+        let from = point(first);
+        let (mut area, mut nearest) = (0.0, f64::INFINITY);
+        for &corner in &star {
+            let triangle = stars.corners[corner as usize / 3];
+            let [a, b, c] = triangle.map(point);
+            area += 0.5 * f64::from((b - a).cross(c - a).length());
+        }
+        let target_position = stars.position_of[target as usize];
+        for &corner in &star {
+            let (t, k) = (corner as usize / 3, corner as usize % 3);
+            let vertex = stars.corners[t][k];
+            stars.corners[t][k] = sequence.target(vertex);
+            stars.append(target_position, corner);
+            let corners = stars.corners[t];
+            let [p, q, r] = corners.map(|v| stars.position_of[v as usize]);
+            if p == q || q == r || r == p {
+                continue;
+            }
+            let weights = nearest_point(from, corners.map(point));
+            let on_triangle: Vec3 = corners.iter().zip(weights.to_array()).map(|(&v, w)| w * point(v)).sum();
+            let squared = f64::from(from.distance_squared(on_triangle));
+            nearest = nearest.min(squared + lengths.squared(vertex, corners, weights));
+        }
+        if nearest == f64::INFINITY {
+            nearest = f64::from(from.distance_squared(point(target)));
+        }
+        // An error that no step before had counts over the whole star.
+        let [before, after] = [step + 1, step].map(|split_count| f64::from(sequence.error_at(split_count)));
+        if after > before {
+            nearest = nearest.max(6.0 * after * after);
+        }
+        let own = std::mem::take(&mut areas[removed as usize]);
+        areas[target_position as usize] += own;
+        errors.push(area.max(3.0 * own) * nearest / 6.0);
+    }
+    errors
+}
+
+/// Returns the point of a triangle that is nearest to another point, as weights of the corners (Ericson 2004,
+/// Real-Time Collision Detection, 5.1.5).
+fn nearest_point(p: Vec3, [a, b, c]: [Vec3; 3]) -> Vec3 {
+    let (ab, ac, ap) = (b - a, c - a, p - a);
+    let (d1, d2) = (ab.dot(ap), ac.dot(ap));
+    if d1 <= 0.0 && d2 <= 0.0 {
+        return Vec3::X;
+    }
+    let bp = p - b;
+    let (d3, d4) = (ab.dot(bp), ac.dot(bp));
+    if d3 >= 0.0 && d4 <= d3 {
+        return Vec3::Y;
+    }
+    let vc = d1 * d4 - d3 * d2;
+    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
+        let v = d1 / (d1 - d3);
+        return Vec3::new(1.0 - v, v, 0.0);
+    }
+    let cp = p - c;
+    let (d5, d6) = (ab.dot(cp), ac.dot(cp));
+    if d6 >= 0.0 && d5 <= d6 {
+        return Vec3::Z;
+    }
+    let vb = d5 * d2 - d1 * d6;
+    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
+        let w = d2 / (d2 - d6);
+        return Vec3::new(1.0 - w, 0.0, w);
+    }
+    let va = d3 * d6 - d5 * d4;
+    if va <= 0.0 && d4 >= d3 && d5 >= d6 {
+        let w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return Vec3::new(0.0, 1.0 - w, w);
+    }
+    let sum = va + vb + vc;
+    Vec3::new(va / sum, vb / sum, vc / sum)
+}
+
+/// Returns for each step, from the full mesh to the base, the price of its run on the lower convex hull of summed
+/// errors. `triangle_counts` are those before the first step and after each.
+pub(super) fn prices(errors: &[f64], triangle_counts: impl Fn(usize) -> usize) -> Vec<f64> {
+    // Runs of steps: their number, error and saved triangles.
+    let mut runs: Vec<(usize, f64, f64)> = Vec::new();
+    let price =
+        |&(_, error, saved): &(usize, f64, f64)| if saved > 0.0 { error / saved } else { f64::INFINITY };
+    for (step, &error) in errors.iter().enumerate() {
+        let saved = triangle_counts(step).saturating_sub(triangle_counts(step + 1)) as f64;
+        let mut run = (1, if error.is_finite() { error.max(0.0) } else { f64::MAX.sqrt() }, saved);
+        while let Some(last) = runs.pop_if(|last| price(last) >= price(&run)) {
+            run = (last.0 + run.0, last.1 + run.1, last.2 + run.2);
+        }
+        runs.push(run);
+    }
+    runs.iter().flat_map(|run| std::iter::repeat_n(price(run), run.0)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use striata::LodOptions;
+    use striata::mesh::shapes;
+
+    use super::*;
+
+    #[test]
+    fn prices_rise_and_keep_the_sum() {
+        // A step that saves nothing goes together with the one after it.
+        let (errors, counts) = ([1.0, 9.0, 1.0, 0.0, 30.0], [100, 98, 96, 90, 90, 88]);
+        let found = prices(&errors, |at| counts[at]);
+        assert!(found.is_sorted(), "{found:?}");
+        assert_eq!(found, [0.5, 1.25, 1.25, 15.0, 15.0]);
+    }
+
+    #[test]
+    fn flat_parts_cost_nothing_and_curved_ones_more_the_coarser_they_get() {
+        let lod = |mesh| Lod::build(&mesh, &LodOptions::default()).expect("a valid mesh");
+        let plane = lod(shapes::grid(12, 12));
+        // Only the last steps change the outline.
+        let inner = plane.sequence().errors().iter().filter(|&&error| error < 1e-6).count();
+        let flat: f64 = step_errors(&plane, plane.mesh().diagonal()).iter().take(inner).sum();
+        assert!(inner > 100 && flat < 1e-9, "{inner} {flat}");
+        let ball = lod(shapes::icosphere(3, 1.0));
+        let errors = step_errors(&ball, ball.mesh().diagonal());
+        assert_eq!(errors.len(), ball.step_count());
+        let half = errors.len() / 2;
+        let [fine, coarse] = [&errors[..half], &errors[half..]].map(|half| half.iter().sum::<f64>());
+        assert!(fine > 0.0 && coarse > 4.0 * fine, "{fine} {coarse}");
+    }
+
+    #[test]
+    fn nearest_points_of_a_triangle() {
+        let triangle = [Vec3::ZERO, Vec3::X, Vec3::Y];
+        for (from, expected) in [
+            ([0.25, 0.25, 3.0], [0.5, 0.25, 0.25]),
+            ([-1.0, -1.0, 0.0], [1.0, 0.0, 0.0]),
+            ([3.0, 0.0, 1.0], [0.0, 1.0, 0.0]),
+            ([0.0, 3.0, 1.0], [0.0, 0.0, 1.0]),
+            ([0.5, -2.0, 0.0], [0.5, 0.5, 0.0]),
+            ([-2.0, 0.5, 0.0], [0.5, 0.0, 0.5]),
+            ([1.0, 1.0, 0.0], [0.0, 0.5, 0.5]),
+        ] {
+            let found = nearest_point(Vec3::from(from), triangle);
+            assert!(found.distance(Vec3::from(expected)) < 1e-6, "{from:?}: {found}");
+        }
+    }
+}
