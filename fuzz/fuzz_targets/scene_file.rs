@@ -26,6 +26,6 @@ fn check(scene: &LodScene) {
     for level in &levels {
         let _ = scene_to_bytes(Format::Glb, &scene.level_scene(level), &WriteOptions::default());
     }
-    let _ = lod_chain(scene, &levels, &LodChainOptions::default());
+    let _ = lod_chain(scene, &levels, &LodChainOptions::default(), None);
     assert!(scene.to_striata(&Default::default()).is_ok());
 }
