@@ -75,7 +75,7 @@ struct Stars {
 impl Stars {
     fn new(lod: &Lod) -> Self {
         let positions = lod.sequence().positions();
-        let corners = lod.mesh().triangles.clone();
+        let corners = in_order(&lod.mesh().triangles);
         let position_count = positions.position_count();
         let mut position_of = vec![0; positions.vertex_count()];
         for position in 0..position_count as u32 {
@@ -123,6 +123,16 @@ impl Stars {
     }
 }
 
+/// Returns triangles in an order that does not depend on theirs: files may store them in another one, and sums that
+/// differ in the last digit would decide between steps that are equal.
+fn in_order(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
+    let turned =
+        |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]].into_iter().min().unwrap_or([a, b, c]);
+    let mut triangles: Vec<[u32; 3]> = triangles.iter().map(turned).collect();
+    triangles.sort_unstable();
+    triangles
+}
+
 /// Returns the squared error of each step, from the full mesh to the base, in mesh units to the fourth power.
 pub(super) fn step_errors(lod: &Lod, diagonal: f64) -> Vec<f64> {
     let (mesh, sequence) = (lod.mesh(), lod.sequence());
@@ -132,7 +142,7 @@ pub(super) fn step_errors(lod: &Lod, diagonal: f64) -> Vec<f64> {
     let point = |vertex: u32| Vec3::from(mesh.positions[vertex as usize]);
     // Area of the original surface that each position stands for.
     let mut areas = vec![0.0; sequence.positions().position_count()];
-    for triangle in &mesh.triangles {
+    for triangle in &stars.corners {
         let [a, b, c] = triangle.map(point);
         let third = f64::from((b - a).cross(c - a).length()) / 6.0;
         triangle.iter().for_each(|&v| areas[stars.position_of[v as usize] as usize] += third);

@@ -1,5 +1,9 @@
 //! glTF documents for tests of scenes: hierarchies, instances, skins, morph targets, animations.
 
+mod varied;
+
+pub use varied::*;
+
 use serde_json::{Value, json};
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, TriangleGroup, shapes};
 
@@ -13,7 +17,7 @@ pub struct TestScene {
 
 /// All test scenes.
 pub fn all() -> Vec<TestScene> {
-    vec![
+    let mut all = vec![
         hierarchy(),
         skinned(),
         morphed(),
@@ -26,7 +30,9 @@ pub fn all() -> Vec<TestScene> {
         vanishing_primitive(),
         instanced_by_extension(),
         empty(),
-    ]
+    ];
+    all.extend(varied());
+    all
 }
 
 impl TestScene {
