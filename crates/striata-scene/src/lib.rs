@@ -15,6 +15,7 @@
 //! | [`stream`] | a scene as one progressive stream |
 //! | [`textures`] | previews and re-encoding of images |
 
+mod copies;
 mod deformation;
 mod document;
 pub mod drawn;

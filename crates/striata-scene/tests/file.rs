@@ -53,6 +53,36 @@ fn arrays_of_meshes_are_used_in_place() {
     assert!(meshes.iter().all(|section| section.offset % 64 == 0));
 }
 
+/// Meshes that differ in their material only are stored once.
+#[test]
+fn equal_meshes_are_stored_once() {
+    let lods = build(&scenes::shared_accessors());
+    let bytes = lods.to_striata(&WriteOptions::default()).unwrap();
+    let container = Container::open(&bytes, Verify::All).unwrap();
+    let of = |kind: SectionKind| container.sections().iter().filter(move |section| section.kind == kind);
+    let sizes: Vec<u64> = of(SectionKind::SCENE_MESH).map(|section| section.bytes).collect();
+    assert!(sizes[0] > 0 && sizes[1..3] == [0, 0] && sizes[3] > 0, "{sizes:?}");
+    assert!(of(SectionKind::SCENE_SHARING).all(|section| section.is_required), "older readers refuse it");
+    assert_eq!(of(SectionKind::SCENE_SHARING).count(), 1);
+    let file = SceneFile::parse(&bytes).unwrap();
+    let again = file.lod_scene().unwrap();
+    assert_eq!(again.scene(), lods.scene());
+    assert_eq!(again.triangle_count(), lods.triangle_count());
+    assert_eq!(again.lods()[1].as_ref().unwrap().mesh(), again.lods()[0].as_ref().unwrap().mesh());
+    assert!(file.meshes().iter().all(Option::is_some));
+    for sharing in
+        [vec![0u32, 0, 0], vec![0, 0, 0, 0], vec![0, 3, 0, 3], vec![0, 9, 0, 3], vec![0, 0, 1, 3, 4]]
+    {
+        let damaged = with_section(&bytes, |_, kind, bytes| {
+            if kind == SectionKind::SCENE_SHARING {
+                *bytes = sharing.iter().flat_map(|source| source.to_le_bytes()).collect();
+            }
+        });
+        let message = SceneFile::parse(&damaged).unwrap_err().to_string();
+        assert!(message.starts_with("section SCSH"), "{sharing:?}: {message}");
+    }
+}
+
 #[test]
 fn readers_of_single_meshes_name_the_reason() {
     let bytes = build(&scenes::morphed()).to_striata(&WriteOptions::default()).unwrap();
@@ -102,7 +132,7 @@ fn with_section(bytes: &[u8], change: impl Fn(usize, SectionKind, &mut Vec<u8>))
 
 #[test]
 fn damage_with_valid_checksums_never_panics() {
-    let bytes = build(&scenes::without_nodes()).to_striata(&WriteOptions::default()).unwrap();
+    let bytes = build(&scenes::shared_accessors()).to_striata(&WriteOptions::default()).unwrap();
     let container = Container::open(&bytes, Verify::All).unwrap();
     for (index, section) in container.sections().iter().enumerate() {
         // The files of meshes have tests of their own; here their headers and tables are damaged.

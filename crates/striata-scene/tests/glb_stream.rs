@@ -50,6 +50,18 @@ fn surfaces(mesh: &IndexedMesh) -> Vec<Vec<[[u32; 3]; 3]>> {
     mesh.groups_or_whole().iter().map(|group| of_group(group.range())).collect()
 }
 
+/// Meshes that differ in their material only have one stream.
+#[test]
+fn equal_meshes_have_one_stream() {
+    let lods = build(&scenes::shared_accessors());
+    let glb = lods.to_glb_with_stream(&lossless()).unwrap();
+    let (document, _) = chunks(&glb);
+    let view = |mesh: usize| &document["meshes"][mesh]["extensions"]["STRIATA_lod"]["bufferView"];
+    assert!(view(0).is_u64() && view(0) == view(1) && view(1) == view(2) && view(2) != view(3));
+    let again = read_glb_with_stream(&glb, &Source::new("x.glb")).unwrap().unwrap();
+    assert_eq!(again.triangle_count(), lods.triangle_count());
+}
+
 #[test]
 fn the_full_scene_comes_back_without_the_extension() {
     for sample in scenes::all() {

@@ -97,6 +97,62 @@ fn borders_of_meshes_that_touch_still_meet() {
     }
 }
 
+/// Meshes that differ in their material only have one stream.
+#[test]
+fn equal_meshes_have_one_stream() {
+    let sample = striata_testing::scenes::shared_accessors();
+    let scene = read_scene_bytes(&sample.to_glb(), &Source::new("x.glb")).unwrap();
+    let stream = encoded(&scene);
+    assert_eq!(stream.bytes[4], 2, "older readers refuse it by its version");
+    let without_copies = scene.clone().with_meshes({
+        let mut meshes = scene.meshes().to_vec();
+        meshes[1..3].fill(None);
+        meshes
+    });
+    let one = encoded(&without_copies.unwrap());
+    assert_eq!(one.bytes[4], 1);
+    assert!(stream.bytes.len() < one.bytes.len() + 40, "{}, {}", stream.bytes.len(), one.bytes.len());
+    let info = SceneStreamInfo::read(&stream.bytes).unwrap().unwrap();
+    let bytes: Vec<u64> = info.meshes.iter().map(|mesh| mesh.unwrap().bytes).collect();
+    assert!(bytes[0] > 0 && bytes[1] == 0 && bytes[2] == 0 && bytes[3] > 0, "{bytes:?}");
+    assert_eq!(info.triangle_count(), 4 * 320);
+    let mut decoder = SceneStreamDecoder::new();
+    for piece in stream.bytes.chunks(50) {
+        let update = decoder.push(piece).unwrap();
+        let of = |mesh: usize| update.meshes.iter().filter(|change| change.mesh == mesh).count();
+        assert!(of(0) == of(1) && of(1) == of(2));
+        if decoder.is_drawable() {
+            let shown = decoder.scene().unwrap();
+            assert_eq!(shown.meshes()[0], shown.meshes()[2]);
+            assert_eq!(
+                decoder.lods()[0].as_ref().unwrap().mesh(),
+                decoder.lods()[1].as_ref().unwrap().mesh()
+            );
+        }
+    }
+    assert!(decoder.is_complete() && decoder.error() == Some(0.0));
+    assert_eq!(decoder.scene().unwrap().triangle_count(), scene.triangle_count());
+    assert!((0..4).all(|mesh| decoder.mesh(mesh).is_some() && decoder.mesh_scale(mesh) == Some(1.0)));
+    // The last numbers of the table name meshes 1 and 2 as copies of mesh 0.
+    let mut packets = packets(&stream.bytes);
+    let table = inflated(&packets[0].2);
+    for (place, value) in [(20, 0), (20, 9), (19, 1), (19, 9), (10, 1)] {
+        let mut damaged = table.clone();
+        let place = damaged.len() - place;
+        damaged[place] = value;
+        packets[0].2 = deflated(&damaged);
+        let message = decoded(&with_version(joined(&packets), 2)).unwrap_err().to_string();
+        assert!(message.contains("has the stream"), "{message}");
+    }
+    let message = decoded(&with_version(stream.bytes, 3)).unwrap_err().to_string();
+    assert!(message.contains('3'), "{message}");
+}
+
+fn with_version(mut bytes: Vec<u8>, version: u8) -> Vec<u8> {
+    bytes[4] = version;
+    bytes
+}
+
 #[test]
 fn lossless_streams_return_the_scene() {
     let scene = samples::scene(2);

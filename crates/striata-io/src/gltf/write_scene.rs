@@ -56,11 +56,14 @@ fn document(
     for (entry, image) in entries(&mut root, "images").zip(scene.images().iter().enumerate()) {
         builder.image_source(image, entry);
     }
+    // Equal data, such as the streams of equal meshes, are attached once.
+    let mut view_of: HashMap<&[u8], usize> = HashMap::new();
     for (pointer, bytes) in &writer.attachments {
         let Some(reference) = root.pointer_mut(pointer) else {
             return Err(Refusal::BadMesh(format!("the document has no value at {pointer}")));
         };
-        *reference = json!(builder.push_view(bytes, None, None));
+        let view = *view_of.entry(bytes).or_insert_with(|| builder.push_view(bytes, None, None));
+        *reference = json!(view);
     }
     builder.fill_free_slots();
     let Value::Object(mut root) = root else {

@@ -31,6 +31,9 @@ pub enum SceneDecodeError {
         /// Description of the problem.
         reason: &'static str,
     },
+    /// The list of meshes with equal levels is malformed.
+    #[error("section SCSH: a mesh without levels of its own has those of an earlier one, up to a limit")]
+    Sharing,
     /// The file of a mesh is invalid.
     #[error("meshes[{mesh}]: {error}")]
     Mesh {

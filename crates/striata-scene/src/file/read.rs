@@ -1,11 +1,12 @@
 //! Reading of files of scenes.
 
 use striata::Lod;
-use striata::file::{Container, SectionKind, StriataFile, Verify};
+use striata::file::{Container, SectionKind, StriataFile, Summary, Verify};
 use striata_io::{Scene, SceneParts};
 
 use super::SceneDecodeError;
 use super::image::image_from_bytes;
+use crate::copies::Copies;
 use crate::lod_scene::{LodScene, check_groups};
 
 /// Whether bytes are a `.striata` file that contains a scene instead of a single mesh. Only the header and
@@ -21,6 +22,8 @@ pub struct SceneFile<'a> {
     metadata: Vec<(String, String)>,
     scene: Scene,
     meshes: Vec<Option<StriataFile<'a>>>,
+    /// Mesh whose levels each mesh has; usually itself.
+    sources: Vec<usize>,
 }
 
 impl<'a> SceneFile<'a> {
@@ -38,7 +41,20 @@ impl<'a> SceneFile<'a> {
             images.map(|(image, bytes)| image_from_bytes(image, bytes?)).collect::<Result<_, _>>()?;
         let meshes = container.all(SectionKind::SCENE_MESH).enumerate();
         let meshes = meshes.map(|(mesh, bytes)| mesh_file(mesh, bytes?));
-        let meshes: Vec<Option<StriataFile<'a>>> = meshes.collect::<Result<_, SceneDecodeError>>()?;
+        let mut meshes: Vec<Option<StriataFile<'a>>> = meshes.collect::<Result<_, SceneDecodeError>>()?;
+        let sources = match container.find(SectionKind::SCENE_SHARING)? {
+            Some(bytes) => sources_of(bytes, &meshes)?,
+            None => (0..meshes.len()).collect(),
+        };
+        let mut copies = Copies::default();
+        for (mesh, &source) in sources.iter().enumerate().filter(|&(mesh, &source)| source != mesh) {
+            let Some(file) = &meshes[source] else { return Err(SceneDecodeError::Sharing) };
+            let Summary { vertex_count, triangle_count, .. } = file.summary();
+            if !copies.add(vertex_count, triangle_count) {
+                return Err(SceneDecodeError::Sharing);
+            }
+            meshes[mesh] = meshes[source].clone();
+        }
         let parts = SceneParts { document, buffer, images, meshes: vec![None; meshes.len()] };
         let scene = Scene::from_parts(parts)?;
         for (mesh, file) in meshes.iter().enumerate() {
@@ -46,7 +62,7 @@ impl<'a> SceneFile<'a> {
                 check_groups(&scene, mesh, file.summary().group_count)?;
             }
         }
-        Ok(Self { metadata: container.metadata()?, scene, meshes })
+        Ok(Self { metadata: container.metadata()?, scene, meshes, sources })
     }
 
     /// Key-value texts about the file; empty if there are none.
@@ -69,13 +85,29 @@ impl<'a> SceneFile<'a> {
     /// # Errors
     /// [`SceneDecodeError`] if a mesh is damaged, or was made by vertex removals instead of collapses.
     pub fn lod_scene(&self) -> Result<LodScene, SceneDecodeError> {
-        let lod_of = |(mesh, file): (usize, &Option<StriataFile<'_>>)| {
-            let lod = file.as_ref().map(Lod::from_file).transpose();
-            lod.map_err(|error| SceneDecodeError::Mesh { mesh, error })
-        };
-        let lods = self.meshes.iter().enumerate().map(lod_of).collect::<Result<_, _>>()?;
+        let mut lods: Vec<Option<Lod>> = Vec::with_capacity(self.meshes.len());
+        for (mesh, (file, &source)) in self.meshes.iter().zip(&self.sources).enumerate() {
+            let lod = match lods.get(source) {
+                Some(lod) => lod.clone(),
+                None => {
+                    let lod = file.as_ref().map(Lod::from_file).transpose();
+                    lod.map_err(|error| SceneDecodeError::Mesh { mesh, error })?
+                }
+            };
+            lods.push(lod);
+        }
         Ok(LodScene::from_lods(self.scene.clone(), lods)?)
     }
+}
+
+/// Reads the meshes whose levels others have: an earlier mesh for each one that has an empty section of its own.
+fn sources_of(bytes: &[u8], meshes: &[Option<StriataFile<'_>>]) -> Result<Vec<usize>, SceneDecodeError> {
+    let (words, rest) = bytes.as_chunks::<4>();
+    let sources: Vec<usize> = words.iter().map(|&word| u32::from_le_bytes(word) as usize).collect();
+    let is_valid =
+        |(mesh, &source): (usize, &usize)| source == mesh || (source < mesh && meshes[mesh].is_none());
+    let are_valid = sources.len() == meshes.len() && sources.iter().enumerate().all(is_valid);
+    if are_valid && rest.is_empty() { Ok(sources) } else { Err(SceneDecodeError::Sharing) }
 }
 
 /// Opens the file of a mesh; [`None`] if its section is empty.

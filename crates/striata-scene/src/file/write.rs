@@ -1,18 +1,21 @@
 //! Writing of files of scenes.
 
 use std::borrow::Cow;
+use std::collections::HashMap;
 use std::io::Write;
 
-use striata::file::{Section, SectionKind, WriteOptions, metadata_to_bytes, write_sections};
+use striata::file::{Section, SectionKind, Summary, WriteOptions, metadata_to_bytes, write_sections};
 use striata_io::Scene;
 
 use super::SceneEncodeError;
 use super::image::image_to_bytes;
+use crate::copies::Copies;
 use crate::error::SceneMismatch;
 use crate::lod_scene::{LodScene, check_groups};
 
 /// Writes a scene as a `.striata` file, with the bytes of a complete `.striata` file for each mesh of the
-/// document; [`None`] for meshes without triangles. Triangles of the scene itself are not written.
+/// document; [`None`] for meshes without triangles. Meshes with equal bytes are stored once. Triangles of the scene
+/// itself are not written.
 ///
 /// The files of the meshes can contain any models, but not a scene.
 ///
@@ -38,15 +41,30 @@ pub fn write_scene_file(
     if !scene.buffer().is_empty() {
         sections.push(optional(SectionKind::SCENE_BUFFER, scene.buffer().into()));
     }
-    for (mesh, bytes) in meshes.iter().enumerate() {
+    let mut first_of: HashMap<&[u8], u32> = HashMap::new();
+    let mut copies = Copies::default();
+    let (mut sources, mut files) = (Vec::new(), Vec::new());
+    for (mesh, bytes) in (0..).zip(meshes) {
         let bytes = bytes.as_deref().unwrap_or_default();
+        let mut source = mesh as u32;
         if !bytes.is_empty() {
             let file = striata_stream::open(bytes);
             let file = file.map_err(|error| SceneEncodeError::MeshFile { mesh, error })?;
             check_groups(scene, mesh, file.summary().group_count)?;
+            source = *first_of.entry(bytes).or_insert(source);
+            let Summary { vertex_count, triangle_count, .. } = file.summary();
+            if source as usize != mesh && !copies.add(vertex_count, triangle_count) {
+                source = mesh as u32;
+            }
         }
-        sections.push(optional(SectionKind::SCENE_MESH, bytes.into()));
+        files.push(if source as usize == mesh { bytes } else { &[] });
+        sources.push(source);
     }
+    if sources.iter().enumerate().any(|(mesh, &source)| source as usize != mesh) {
+        let bytes = sources.iter().flat_map(|source| source.to_le_bytes()).collect::<Vec<u8>>().into();
+        sections.push(Section { kind: SectionKind::SCENE_SHARING, is_required: true, bytes });
+    }
+    sections.extend(files.into_iter().map(|bytes| optional(SectionKind::SCENE_MESH, bytes.into())));
     // Images are large and needed last.
     for image in scene.images() {
         sections.push(optional(SectionKind::SCENE_IMAGE, image_to_bytes(image)?.into()));

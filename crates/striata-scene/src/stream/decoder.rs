@@ -7,9 +7,9 @@ use striata_io::Scene;
 use striata_stream::{StreamDecoder, StreamUpdate};
 
 use super::SceneStreamError;
-use super::head::SceneHead;
+use super::head::{MeshEntry, SceneHead};
 use super::images::ReceivedImage;
-use super::packet::{HEADER_BYTES, PacketHead, PacketKind, read_header};
+use super::packet::{HEADER_BYTES, Header, PacketHead, PacketKind, read_header};
 use super::prefix::{ReceivedDocument, check_head, prefix_document, prefix_scene};
 use super::received::{Received, ReceivedMesh};
 
@@ -25,6 +25,14 @@ pub struct SceneStreamUpdate {
     pub images: Vec<usize>,
     /// Whether a part of the buffer has arrived: skins, or animations.
     pub has_buffer: bool,
+}
+
+impl SceneStreamUpdate {
+    /// Adds a change of all meshes that have the stream of a mesh.
+    fn put(&mut self, received: &Received, source: usize, change: &StreamUpdate) {
+        let meshes = received.meshes_with(source);
+        self.meshes.extend(meshes.map(|mesh| MeshUpdate { mesh, update: change.clone() }));
+    }
 }
 
 /// A change of a mesh.
@@ -45,8 +53,8 @@ pub struct SceneStreamDecoder {
     waiting: Vec<u8>,
     /// Number of bytes of the packets that were read, with the header of the stream.
     read: u64,
-    /// Length of the stream, once its header has arrived.
-    total: Option<u64>,
+    /// The header of the stream, once it has arrived.
+    header: Option<Header>,
     received: Option<Box<Received>>,
     /// Whether decoding has ended, by an error or by [`finish`](Self::finish).
     is_over: bool,
@@ -80,13 +88,13 @@ impl SceneStreamDecoder {
 
     /// Reads the header and every complete packet.
     fn read_all(&mut self, mut bytes: &[u8], update: &mut SceneStreamUpdate) -> Result<(), SceneStreamError> {
-        if self.total.is_none() {
-            let Some(total) = read_header(bytes)? else { return Ok(()) };
-            self.total = Some(total);
+        if self.header.is_none() {
+            let Some(header) = read_header(bytes)? else { return Ok(()) };
+            self.header = Some(header);
             self.read = HEADER_BYTES as u64;
             bytes = &bytes[HEADER_BYTES..];
         }
-        let (total, found) = (self.total.unwrap_or(0), self.read + bytes.len() as u64);
+        let (total, found) = (self.stream_bytes().unwrap_or(0), self.read + bytes.len() as u64);
         while self.read < total {
             let Some(packet) = PacketHead::read(bytes, self.read)? else { break };
             let end = self.read.saturating_add(packet.whole_bytes());
@@ -127,7 +135,8 @@ impl SceneStreamDecoder {
             if self.received.is_some() || index != 0 {
                 return Err(self.malformed("a second document"));
             }
-            let head = SceneHead::from_bytes(payload)?;
+            let version = self.header.map_or(0, |header| header.version);
+            let head = SceneHead::from_bytes(payload, version)?;
             check_head(&head)?;
             self.received = Some(Box::new(Received::new(head, end)));
             update.has_document = true;
@@ -138,7 +147,7 @@ impl SceneStreamDecoder {
         let Some(received) = &mut self.received else { return fail("it precedes the document") };
         match packet.kind {
             PacketKind::Mesh => match received.push_mesh(index, payload)? {
-                Some(change) => update.meshes.push(MeshUpdate { mesh: index, update: change }),
+                Some(change) => update.put(received, index, &change),
                 None => return fail("it belongs to no mesh, or continues after the end of one"),
             },
             PacketKind::Buffer => {
@@ -173,16 +182,16 @@ impl SceneStreamDecoder {
         if let Some(packet) = PacketHead::read(&waiting, self.read)?.filter(|p| p.kind == PacketKind::Mesh) {
             let (mesh, payload) = (packet.index as usize, &waiting[packet.head_bytes..]);
             if let Some(change) = received.push_mesh(mesh, payload)? {
-                update.meshes.push(MeshUpdate { mesh, update: change });
+                update.put(received, mesh, &change);
             }
         }
-        for (mesh, slot) in received.meshes.iter_mut().enumerate() {
-            let Some(slot) = slot.as_mut().filter(|slot| slot.has_base() && !slot.decoder.is_complete())
-            else {
+        for mesh in 0..received.meshes.len() {
+            let slot = received.meshes[mesh].as_mut();
+            let Some(slot) = slot.filter(|slot| slot.has_base() && !slot.decoder.is_complete()) else {
                 continue;
             };
             let change = slot.decoder.finish().map_err(|source| SceneStreamError::Mesh { mesh, source })?;
-            update.meshes.push(MeshUpdate { mesh, update: change });
+            update.put(received, mesh, &change);
         }
         Ok(update)
     }
@@ -204,7 +213,7 @@ impl SceneStreamDecoder {
 
     /// Whether the whole stream has been received.
     pub fn is_complete(&self) -> bool {
-        self.total == Some(self.read) && self.first_incomplete().is_none()
+        self.stream_bytes() == Some(self.read) && self.first_incomplete().is_none()
     }
 
     /// Number of bytes received so far.
@@ -214,7 +223,7 @@ impl SceneStreamDecoder {
 
     /// Length of the whole stream, bytes; [`None`] before its first 16 bytes have arrived.
     pub fn stream_bytes(&self) -> Option<u64> {
-        self.total
+        self.header.map(|header| header.length)
     }
 
     /// Length of the prefix that shows every mesh, bytes; [`None`] before the document has arrived.
@@ -262,20 +271,23 @@ impl SceneStreamDecoder {
     }
 
     fn received_mesh(&self, mesh: usize) -> Option<&ReceivedMesh> {
-        self.received.as_ref()?.meshes.get(mesh)?.as_ref()
+        self.received.as_ref()?.mesh(mesh)
     }
 
     /// Largest factor from units of a mesh to units of the scene; 0 if the scene does not show the mesh.
     pub fn mesh_scale(&self, mesh: usize) -> Option<f64> {
-        Some(self.received_mesh(mesh)?.entry.scale)
+        Some((*self.received.as_ref()?.head.meshes.get(mesh)?)?.scale)
     }
 
     /// Largest error of any mesh received so far, in units of the scene; 0 once all are complete. [`None`]
     /// before the scene is drawable.
     pub fn error(&self) -> Option<f64> {
         let received = self.received.as_ref().filter(|_| self.is_drawable())?;
-        let of = |mesh: &ReceivedMesh| f64::from(mesh.decoder.error().unwrap_or(0.0)) * mesh.entry.scale;
-        Some(received.meshes.iter().flatten().map(of).fold(0.0, f64::max))
+        let of = |(mesh, entry): (usize, &Option<MeshEntry>)| {
+            let error = received.mesh(mesh)?.decoder.error().unwrap_or(0.0);
+            Some(f64::from(error) * entry.as_ref()?.scale)
+        };
+        Some(received.head.meshes.iter().enumerate().filter_map(of).fold(0.0, f64::max))
     }
 
     /// Number of images; 0 before the document has arrived.
@@ -293,13 +305,16 @@ impl SceneStreamDecoder {
     /// The mesh received so far of each glTF mesh, with its collapse sequence; [`None`] for meshes without
     /// triangles and those whose base has not arrived.
     pub fn refinable_meshes(&self) -> Vec<Option<RefinableMesh>> {
-        let meshes = self.received.as_ref().map_or(&[][..], |received| &received.meshes);
-        meshes.iter().map(|mesh| mesh.as_ref()?.refinable_mesh()).collect()
+        (0..self.mesh_count()).map(|mesh| self.received_mesh(mesh)?.refinable_mesh()).collect()
     }
 
     /// All levels received so far of each glTF mesh, as [`refinable_meshes`](Self::refinable_meshes).
     pub fn lods(&self) -> Vec<Option<Lod>> {
-        self.refinable_meshes().into_iter().map(|mesh| mesh.map(Lod::from_refinable)).collect()
+        let Some(received) = &self.received else { return Vec::new() };
+        let lod_of =
+            |mesh: &Option<ReceivedMesh>| Some(Lod::from_refinable(mesh.as_ref()?.refinable_mesh()?));
+        let lods: Vec<Option<Lod>> = received.meshes.iter().map(lod_of).collect();
+        received.head.sources.iter().map(|&source| lods[source].clone()).collect()
     }
 
     /// The scene received so far: meshes at the level that has arrived, and instead of missing images their

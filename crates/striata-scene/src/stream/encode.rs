@@ -1,5 +1,7 @@
 //! The writer: encodes every mesh, then distributes all bytes over packets.
 
+use std::collections::HashMap;
+
 use striata::mesh::IndexedMesh;
 use striata::simplify::{BatchOptions, BuiltBatches, SimplifyError};
 use striata::{Cancelled, Progress, ProgressFn, ignore_progress};
@@ -18,6 +20,7 @@ use super::layout::Body;
 use super::packet::{HEADER_BYTES, PacketKind, begin, end, put_packet};
 use super::precision::{MeshPrecision, longest_side, mesh_precisions, scene_tolerance};
 use super::schedule::MeshCosts;
+use crate::copies::Copies;
 use crate::mesh_simplifier::{MeshSimplifier, stage};
 
 /// A scene as a stream.
@@ -71,7 +74,8 @@ pub fn encode_scene_with_progress(
     options: &SceneStreamOptions,
     progress: &mut ProgressFn<'_>,
 ) -> Result<EncodedScene, SceneEncodeError> {
-    let meshes = encode_meshes(scene, options, progress)?;
+    let mut meshes = encode_meshes(scene, options, progress)?;
+    let (entries, sources) = share(&mut meshes);
     let total: u64 = scene.meshes().iter().flatten().map(|mesh| mesh.triangle_count() as u64).sum();
     // Images are not measured in triangles, so their progress is that all meshes are done.
     let mut previews = |_| progress(Progress { phase: "previews", done: total, total });
@@ -90,7 +94,8 @@ pub fn encode_scene_with_progress(
         base_bytes: 0,
         preview_bytes: 0,
         buffer: ranges,
-        meshes: meshes.iter().map(|mesh| mesh.as_ref().map(MeshStream::entry)).collect(),
+        meshes: entries,
+        sources,
         images: images.iter().map(|image| image.entry.clone()).collect(),
     };
     let body = Body::new(scene, &meshes, &images, &parts);
@@ -98,7 +103,7 @@ pub fn encode_scene_with_progress(
     let document = head.to_bytes();
     check_length("the document", document.len())?;
     let mut bytes = Vec::new();
-    begin(&mut bytes);
+    begin(head.version(), &mut bytes);
     put_packet(PacketKind::Document, 0, &document, &mut bytes);
     let start = bytes.len();
     bytes.extend_from_slice(&body.packets.bytes);
@@ -113,6 +118,32 @@ pub fn encode_scene_with_progress(
         ..body.packets.sizes
     };
     Ok(EncodedScene { bytes, sizes })
+}
+
+/// Removes streams that are equal to those of earlier meshes; returns the entries of all meshes, and the mesh whose
+/// stream each has.
+fn share(meshes: &mut [Option<MeshStream>]) -> (Vec<Option<MeshEntry>>, Vec<usize>) {
+    let mut entries: Vec<_> = meshes.iter().map(|mesh| mesh.as_ref().map(MeshStream::entry)).collect();
+    let mut first_of: HashMap<&[u8], usize> = HashMap::new();
+    let (mut copies, mut sources) = (Copies::default(), Vec::with_capacity(meshes.len()));
+    for (mesh, stream) in meshes.iter().enumerate() {
+        let Some(MeshStream { bytes, info, .. }) = stream else {
+            sources.push(mesh);
+            continue;
+        };
+        let first = *first_of.entry(bytes).or_insert(mesh);
+        let is_own = first == mesh || !copies.add(info.vertex_count, info.triangle_count);
+        sources.push(if is_own { mesh } else { first });
+    }
+    for (mesh, &source) in sources.iter().enumerate().filter(|&(mesh, &source)| mesh != source) {
+        if let (Some(entry), Some(stream)) = (&mut entries[mesh], meshes[mesh].take()) {
+            entry.bytes = 0;
+            // Its refinement improves all meshes that have it.
+            let largest = |first: &mut MeshStream| first.scale = first.scale.max(stream.scale);
+            meshes[source].as_mut().map(largest);
+        }
+    }
+    (entries, sources)
 }
 
 fn check_length(what: &'static str, length: usize) -> Result<(), SceneEncodeError> {
@@ -164,7 +195,8 @@ fn encode_meshes(
     progress: &mut ProgressFn<'_>,
 ) -> Result<Vec<Option<MeshStream>>, SceneEncodeError> {
     let total: usize = scene.meshes().iter().flatten().map(IndexedMesh::triangle_count).sum();
-    let (mut done, mut streams) = (0u64, Vec::new());
+    let (mut done, mut streams) = (0u64, Vec::<Option<MeshStream>>::new());
+    let mut first_of: HashMap<[u64; 2], (usize, StreamOptions)> = HashMap::new();
     let simplifier = MeshSimplifier::new(scene);
     let precisions = mesh_precisions(scene, &options.stream);
     for (index, (mesh, precision)) in scene.meshes().iter().zip(precisions).enumerate() {
@@ -177,8 +209,18 @@ fn encode_meshes(
             let share = part.done.min(part.total).saturating_mul(own) / part.total.max(1);
             progress(Progress { phase: part.phase, done: done + share, total: total as u64 })
         };
-        let (bytes, info) = encode_mesh(&simplifier, (index, mesh), (&own, &options.batches), &mut within)
-            .map_err(|error| error.in_mesh(index))?;
+        // Equal meshes, such as one ball in many colors, are encoded once.
+        let (first, options_of_first) =
+            first_of.entry(mesh.fingerprints()).or_insert_with(|| (index, own.clone()));
+        let is_copy = *first < index
+            && *options_of_first == own
+            && simplifier.is_simplified_alike([*first, index], &options.batches.sequence);
+        let encoded: Option<&MeshStream> = if is_copy { streams[*first].as_ref() } else { None };
+        let (bytes, info) = match encoded {
+            Some(stream) => (stream.bytes.clone(), stream.info.clone()),
+            None => encode_mesh(&simplifier, (index, mesh), (&own, &options.batches), &mut within)
+                .map_err(|error| error.in_mesh(index))?,
+        };
         streams.push(Some(MeshStream { bytes, info, scale }));
         done += mesh.triangle_count() as u64;
         if progress(Progress { phase: "encode", done, total: total as u64 }).is_break() {

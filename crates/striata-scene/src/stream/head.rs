@@ -5,6 +5,8 @@ use serde_json::Value;
 use super::SceneStreamError;
 use super::bytes::{Fields, put_text, put_varint};
 use super::deflate::{deflate, inflate};
+use super::packet::{PLAIN_VERSION, SHARING_VERSION};
+use crate::copies::Copies;
 
 /// What the first packet contains.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +22,8 @@ pub(super) struct SceneHead {
     /// Byte ranges of each part of the buffer; the parts together are the buffer.
     pub(super) buffer: [Vec<ByteRange>; PART_COUNT],
     pub(super) meshes: Vec<Option<MeshEntry>>,
+    /// Mesh whose stream each mesh has; usually itself.
+    pub(super) sources: Vec<usize>,
     pub(super) images: Vec<ImageEntry>,
 }
 
@@ -36,7 +40,7 @@ pub(super) struct ByteRange {
 /// A mesh that follows as a stream.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct MeshEntry {
-    /// Length of the mesh's own stream.
+    /// Length of the mesh's own stream; 0 if it has that of another mesh.
     pub(super) bytes: u64,
     pub(super) vertex_count: u32,
     pub(super) triangle_count: u32,
@@ -75,6 +79,16 @@ impl SceneHead {
         self.buffer.iter().flatten().map(|range| range.length).sum()
     }
 
+    /// Meshes that have the streams of others.
+    fn copies(&self) -> impl Iterator<Item = (usize, usize)> {
+        self.sources.iter().copied().enumerate().filter(|(mesh, source)| mesh != source)
+    }
+
+    /// Version of the stream.
+    pub(super) fn version(&self) -> u8 {
+        if self.copies().next().is_none() { PLAIN_VERSION } else { SHARING_VERSION }
+    }
+
     /// Serializes and compresses the document and the table.
     pub(super) fn to_bytes(&self) -> Vec<u8> {
         let mut out = Vec::new();
@@ -96,11 +110,19 @@ impl SceneHead {
         self.meshes.iter().for_each(|mesh| mesh.unwrap_or_default().write(&mut out));
         put_varint(self.images.len() as u64, &mut out);
         self.images.iter().for_each(|image| image.write(&mut out));
+        if self.version() == SHARING_VERSION {
+            put_varint(self.copies().count() as u64, &mut out);
+            for (mesh, source) in self.copies() {
+                put_varint(mesh as u64, &mut out);
+                put_varint(source as u64, &mut out);
+                out.extend(self.meshes[mesh].unwrap_or_default().scale.to_le_bytes());
+            }
+        }
         deflate(&out, limit_of)
     }
 
     /// Reads the payload of the first packet.
-    pub(super) fn from_bytes(packed: &[u8]) -> Result<Self, SceneStreamError> {
+    pub(super) fn from_bytes(packed: &[u8], version: u8) -> Result<Self, SceneStreamError> {
         let fail = |reason: &str| SceneStreamError::Document(reason.to_owned());
         let limit = limit_of(packed.len());
         let bytes = inflate(packed, limit)
@@ -108,7 +130,12 @@ impl SceneHead {
         let mut fields = Fields::new(&bytes);
         let json = fields.text().ok_or_else(|| fail("its text is not valid"))?;
         let document = serde_json::from_str(&json).map_err(|error| fail(&error.to_string()))?;
-        let head = Self::read_table(&mut fields, document).ok_or_else(|| fail("the table ends too early"))?;
+        let mut head =
+            Self::read_table(&mut fields, document).ok_or_else(|| fail("the table ends too early"))?;
+        if version == SHARING_VERSION {
+            let reason = "a mesh has the stream of a mesh without one, or too many have one";
+            head.read_copies(&mut fields).ok_or_else(|| fail(reason))?;
+        }
         if !fields.rest().is_empty() {
             return Err(fail("bytes follow the table"));
         }
@@ -132,7 +159,23 @@ impl SceneHead {
         let meshes = (0..mesh_count).map(|_| MeshEntry::read(fields)).collect::<Option<_>>()?;
         let image_count = fields.count(9)?;
         let images = (0..image_count).map(|_| ImageEntry::read(fields)).collect::<Option<_>>()?;
-        Some(Self { document, metadata, base_bytes, preview_bytes, buffer, meshes, images })
+        let sources = (0..mesh_count).collect();
+        Some(Self { document, metadata, base_bytes, preview_bytes, buffer, meshes, sources, images })
+    }
+
+    /// Reads which meshes have the streams of others.
+    fn read_copies(&mut self, fields: &mut Fields<'_>) -> Option<()> {
+        let mut copies = Copies::default();
+        for _ in 0..fields.count(10)? {
+            let (mesh, source) = (fields.varint_u32()? as usize, fields.varint_u32()? as usize);
+            let scale = f64::from_le_bytes(fields.array()?);
+            let entry = (*self.meshes.get(source)?).filter(|entry| entry.bytes > 0)?;
+            let slot = self.meshes.get_mut(mesh).filter(|slot| slot.is_none())?;
+            *slot = Some(MeshEntry { bytes: 0, scale, ..entry });
+            copies.add(entry.vertex_count as usize, entry.triangle_count as usize).then_some(())?;
+            self.sources[mesh] = source;
+        }
+        Some(())
     }
 
     /// Checks that the parts are disjoint and cover the buffer.

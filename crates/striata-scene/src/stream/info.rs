@@ -2,7 +2,7 @@
 
 use super::SceneStreamError;
 use super::head::{ImageEntry, MeshEntry, SceneHead};
-use super::packet::{HEADER_BYTES, PacketHead, PacketKind, read_header};
+use super::packet::{HEADER_BYTES, Header, PacketHead, PacketKind, read_header};
 
 /// Counts and sizes of a scene stream, read without decoding meshes or images.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -30,7 +30,7 @@ pub struct SceneStreamInfo {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct StreamedMesh {
-    /// Length of the mesh's own stream, bytes.
+    /// Length of the mesh's own stream, bytes; 0 if it has that of another mesh.
     pub bytes: u64,
     /// Number of vertices of the full mesh.
     pub vertex_count: u32,
@@ -66,7 +66,7 @@ impl SceneStreamInfo {
     /// # Errors
     /// [`SceneStreamError`] if the bytes are not a scene stream of a known version, or the packet is damaged.
     pub fn read(bytes: &[u8]) -> Result<Option<Self>, SceneStreamError> {
-        let Some(stream_bytes) = read_header(bytes)? else { return Ok(None) };
+        let Some(Header { version, length: stream_bytes }) = read_header(bytes)? else { return Ok(None) };
         let (offset, bytes) = (HEADER_BYTES as u64, &bytes[HEADER_BYTES..]);
         let Some(packet) = PacketHead::read(bytes, offset)? else { return Ok(None) };
         if packet.kind != PacketKind::Document {
@@ -78,7 +78,7 @@ impl SceneStreamInfo {
         }
         let bytes = &bytes[..packet.head_bytes + packet.length];
         packet.check(bytes, offset)?;
-        let head = SceneHead::from_bytes(&bytes[packet.head_bytes..])?;
+        let head = SceneHead::from_bytes(&bytes[packet.head_bytes..], version)?;
         let document_bytes = offset + bytes.len() as u64;
         Ok(Some(Self {
             stream_bytes,

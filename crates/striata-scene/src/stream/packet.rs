@@ -5,8 +5,11 @@ use striata::file::SCENE_STREAM_MAGIC;
 use super::SceneStreamError;
 use super::bytes::{Fields, put_varint};
 
-/// Newest version that can be read, and the one that is written.
-pub(super) const VERSION: u8 = 1;
+/// Version of a stream in which every mesh has a stream of its own.
+pub(super) const PLAIN_VERSION: u8 = 1;
+
+/// Version of a stream in which meshes have the streams of others; the newest one.
+pub(super) const SHARING_VERSION: u8 = 2;
 
 /// Length of the header before the first packet, bytes.
 pub(super) const HEADER_BYTES: usize = 16;
@@ -43,10 +46,18 @@ pub(super) struct PacketHead {
     pub(super) head_bytes: usize,
 }
 
+/// What the header of a stream contains.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Header {
+    pub(super) version: u8,
+    /// Length of the whole stream, bytes.
+    pub(super) length: u64,
+}
+
 /// Appends the header of a stream of which the length is not known yet.
-pub(super) fn begin(out: &mut Vec<u8>) {
+pub(super) fn begin(version: u8, out: &mut Vec<u8>) {
     out.extend(SCENE_STREAM_MAGIC);
-    out.extend([VERSION, 0, 0, 0]);
+    out.extend([version, 0, 0, 0]);
     out.extend([0; 8]);
 }
 
@@ -56,22 +67,23 @@ pub(super) fn end(out: &mut [u8]) {
     out[8..HEADER_BYTES].copy_from_slice(&length.to_le_bytes());
 }
 
-/// Reads the header and returns the length of the stream; [`None`] if there are too few bytes.
-pub(super) fn read_header(bytes: &[u8]) -> Result<Option<u64>, SceneStreamError> {
+/// Reads the header; [`None`] if there are too few bytes.
+pub(super) fn read_header(bytes: &[u8]) -> Result<Option<Header>, SceneStreamError> {
     let shown = bytes.len().min(4);
     if bytes[..shown] != SCENE_STREAM_MAGIC[..shown] {
         return Err(SceneStreamError::Magic { found: bytes[..bytes.len().min(8)].to_vec() });
     }
     let Some(header) = bytes.first_chunk::<HEADER_BYTES>() else { return Ok(None) };
     let [_, _, _, _, version, reserved @ .., a, b, c, d, e, f, g, h] = *header;
-    if version != VERSION {
-        return Err(SceneStreamError::Version { found: u32::from(version), supported: u32::from(VERSION) });
+    if !(PLAIN_VERSION..=SHARING_VERSION).contains(&version) {
+        let supported = u32::from(SHARING_VERSION);
+        return Err(SceneStreamError::Version { found: u32::from(version), supported });
     }
     if reserved != [0; 3] {
         let reason = "reserved bytes of the header are not zero".to_owned();
         return Err(SceneStreamError::Packet { offset: 5, reason });
     }
-    Ok(Some(u64::from_le_bytes([a, b, c, d, e, f, g, h])))
+    Ok(Some(Header { version, length: u64::from_le_bytes([a, b, c, d, e, f, g, h]) }))
 }
 
 /// Appends a packet.

@@ -69,10 +69,10 @@ pub(super) fn prefix_document(received: &Received, bytes: u64) -> Result<Receive
 /// Builds the scene of everything that has been received, given the number of bytes received.
 pub(super) fn prefix_scene(received: &Received, bytes: u64) -> Result<Scene, SceneStreamError> {
     let ReceivedDocument { document, buffer, images, .. } = prefix_document(received, bytes)?;
-    let meshes = received.meshes.iter().map(|mesh| {
-        let mesh = mesh.as_ref()?;
-        let refinable = mesh.refinable_mesh().map(|refinable| refinable.mesh);
-        Some(refinable.unwrap_or_else(|| empty_mesh(mesh.entry.group_count)))
+    let meshes = received.head.meshes.iter().enumerate().map(|(mesh, entry)| {
+        let group_count = entry.as_ref()?.group_count;
+        let refinable = received.mesh(mesh)?.refinable_mesh().map(|refinable| refinable.mesh);
+        Some(refinable.unwrap_or_else(|| empty_mesh(group_count)))
     });
     let meshes = meshes.collect();
     Ok(Scene::from_parts(SceneParts { document, buffer, images, meshes })?)

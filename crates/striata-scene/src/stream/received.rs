@@ -16,6 +16,7 @@ pub(super) struct Received {
     pub(super) head: SceneHead,
     /// Length of the stream until the end of the document.
     pub(super) document_end: u64,
+    /// The streams of meshes; [`None`] for meshes that have that of another one.
     pub(super) meshes: Vec<Option<ReceivedMesh>>,
     pub(super) images: Vec<ImageData>,
     pub(super) parts: [Option<Vec<u8>>; PART_COUNT],
@@ -42,14 +43,27 @@ pub(super) struct ImageData {
 
 impl Received {
     pub(super) fn new(head: SceneHead, document_end: u64) -> Self {
-        let mesh = |entry: &MeshEntry| ReceivedMesh { entry: *entry, ..ReceivedMesh::default() };
+        let mesh = |entry: &Option<MeshEntry>| {
+            let entry = (*entry).filter(|entry| entry.bytes > 0)?;
+            Some(ReceivedMesh { entry, ..ReceivedMesh::default() })
+        };
         Self {
-            meshes: head.meshes.iter().map(|entry| entry.as_ref().map(mesh)).collect(),
+            meshes: head.meshes.iter().map(mesh).collect(),
             images: vec![ImageData::default(); head.images.len()],
             parts: Default::default(),
             head,
             document_end,
         }
+    }
+
+    /// What has been received of a mesh, which may be the stream of another one.
+    pub(super) fn mesh(&self, mesh: usize) -> Option<&ReceivedMesh> {
+        self.meshes[*self.head.sources.get(mesh)?].as_ref()
+    }
+
+    /// Meshes that have a stream.
+    pub(super) fn meshes_with(&self, source: usize) -> impl Iterator<Item = usize> {
+        (0..self.meshes.len()).filter(move |&mesh| self.head.sources[mesh] == source)
     }
 
     /// Continues the stream of a mesh; [`None`] if there is no such mesh or its stream has ended.

@@ -112,6 +112,8 @@ impl SectionKind {
     pub const SCENE_IMAGE: Self = Self(*b"SCIM");
     /// Scene: a complete file with the levels of a mesh; one section for each mesh of the document.
     pub const SCENE_MESH: Self = Self(*b"SCMS");
+    /// Scene: for each mesh of the document, the mesh whose levels it has; only if meshes have equal levels.
+    pub const SCENE_SHARING: Self = Self(*b"SCSH");
 
     fn is_known(self) -> bool {
         [
@@ -159,6 +161,7 @@ impl SectionKind {
             Self::SCENE_BUFFER,
             Self::SCENE_IMAGE,
             Self::SCENE_MESH,
+            Self::SCENE_SHARING,
         ]
         .contains(&self)
     }
