@@ -4,6 +4,7 @@ mod bare;
 mod browser;
 mod command;
 mod cpu_time;
+mod gltf;
 mod golden;
 mod licenses;
 #[cfg(test)]
@@ -39,6 +40,8 @@ enum Task {
     Bare,
     /// Run only the golden check: run the demo and validate its files
     Golden,
+    /// Run the verbs over glTF files, and check what they write with the glTF validator
+    Gltf(gltf::GltfArgs),
     /// Run only the browser tests: the viewer page in Chromium, served by `striata serve`
     Browser,
     /// Build the wasm, the npm package and the viewer page (which is committed)
@@ -66,6 +69,7 @@ fn main() -> ExitCode {
         Task::Test => test::run(),
         Task::Bare => bare::run(),
         Task::Golden => golden::run(),
+        Task::Gltf(args) => gltf::check(&args),
         Task::Browser => browser::run(),
         Task::Web { package: true } => web::prepare_library(),
         Task::Web { package: false } => web::build(),

@@ -41,7 +41,7 @@ impl Commands {
     /// Returns the stdout of a command.
     ///
     /// # Errors
-    /// If the command is not `striata`, `striata-lab` or `cargo bench`, cannot start, or fails.
+    /// If the command is not `striata`, `striata-lab`, `cargo bench` or `cargo xtask gltf`, cannot start, or fails.
     pub(super) fn output(&mut self, line: &str) -> Result<String> {
         if let Some(printed) = self.printed.get(line) {
             return Ok(printed.clone());
@@ -74,7 +74,18 @@ impl Commands {
                 Ok(self.built("striata-lab", &["--features", "peers"], rest)?)
             }
             (["cargo", "bench", ..], _) => Ok(cargo(&arguments[1..])),
-            _ => bail!("`{}` is not `striata`, `striata-lab` or `cargo bench`", arguments.join(" ")),
+            (["cargo", "xtask", "gltf", folders @ ..], striata) => {
+                let mut command = Command::new(std::env::current_exe()?);
+                command.arg("gltf").args(folders);
+                if let Some(program) = striata {
+                    command.arg("--striata").arg(program);
+                }
+                Ok(command)
+            }
+            _ => bail!(
+                "`{}` is not `striata`, `striata-lab`, `cargo bench` or `cargo xtask gltf`",
+                arguments.join(" ")
+            ),
         }
     }
 
@@ -88,9 +99,10 @@ impl Commands {
 
     /// Replaces `$MESHES` in a word; `NAME.*` becomes the first file with that name.
     fn resolved(&self, word: &str) -> Result<String> {
-        let Some(name) = word.strip_prefix("$MESHES/") else { return Ok(word.to_owned()) };
+        let Some(name) = word.strip_prefix("$MESHES") else { return Ok(word.to_owned()) };
         let folder =
             self.meshes.as_ref().context("the command needs meshes: give their folder with --meshes DIR")?;
+        let Some(name) = name.strip_prefix('/') else { return Ok(folder.to_string_lossy().into_owned()) };
         let file = match name.strip_suffix('*') {
             Some(beginning) => first_file(folder, beginning)?,
             None => folder.join(name),
