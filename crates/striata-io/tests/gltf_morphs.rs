@@ -314,3 +314,42 @@ fn targets_of_any_attribute_come_back() {
     let (json, _) = parts(&to_bytes(Format::Glb, &flat, &WriteOptions::default()).unwrap());
     assert_eq!(json["meshes"][0]["primitives"][0]["targets"].as_array().unwrap().len(), 2);
 }
+
+/// Displacements of points that are mostly zero stay sparse.
+#[test]
+fn sparse_targets_of_points_stay_sparse() {
+    let mut scene = striata_testing::scenes::empty();
+    // A file of points only is refused.
+    scene.push_mesh("sheet", &sheet(2));
+    let count = 2000;
+    let points: Vec<f32> = (0..3 * count).map(|i| i as f32).collect();
+    let positions = scene.push_floats("VEC3", 3, &points);
+    let places = scene.push_view(&[3u16, 1999].map(u16::to_le_bytes).concat());
+    let values = scene.push_view(&[1f32, 2.0, 3.0, 4.0, 5.0, 6.0].map(f32::to_le_bytes).concat());
+    let target = scene.push(
+        "accessors",
+        serde_json::json!({
+            "componentType": 5126, "count": count, "type": "VEC3", "min": [0, 0, 0], "max": [4, 5, 6],
+            "sparse": { "count": 2, "indices": { "bufferView": places, "componentType": 5123 },
+                        "values": { "bufferView": values } },
+        }),
+    );
+    let primitive = serde_json::json!({
+        "attributes": { "POSITION": positions }, "mode": 0, "targets": [{ "POSITION": target }],
+    });
+    scene.push("meshes", serde_json::json!({ "primitives": [primitive] }));
+    scene.document["nodes"] = serde_json::json!([{ "mesh": 0 }, { "mesh": 1 }]);
+    scene.document["scenes"] = serde_json::json!([{ "nodes": [0, 1] }]);
+    let bytes = scene.to_glb();
+    let read = |glb: &[u8]| read_scene_bytes(glb, &Source::new("x.glb")).unwrap();
+    let numbers = |scene: &striata_io::Scene| {
+        let target = &scene.document()["meshes"][1]["primitives"][0]["targets"][0]["POSITION"];
+        scene.numbers(target.as_u64().unwrap()).unwrap()
+    };
+    let original = read(&bytes);
+    let (moves, width) = numbers(&original);
+    assert_eq!((moves.len(), width, moves[11], moves[5997]), (3 * count, 3, 3.0, 4.0));
+    let glb = SceneWriter::new(&original).to_bytes(Format::Glb, &WriteOptions::default()).unwrap();
+    assert!(glb.len() * 20 <= bytes.len() * 21, "{} bytes of {}", glb.len(), bytes.len());
+    assert_eq!(numbers(&read(&glb)), (moves, width));
+}

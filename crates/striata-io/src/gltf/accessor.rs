@@ -30,9 +30,10 @@ pub(crate) struct Accessor<'a> {
 /// Replacements for some elements of the array.
 pub(super) struct Sparse<'a> {
     pub(super) count: usize,
-    index_type: ComponentType,
+    pub(super) index_type: ComponentType,
     indices: &'a [u8],
     pub(super) values: &'a [u8],
+    element_bytes: usize,
 }
 
 /// Reads and checks accessor `index`; `from` is the value that refers to it.
@@ -172,14 +173,34 @@ fn sparse<'a>(document: &'a Document<'_>, at: &JsonNode<'_>, shape: &Shape) -> R
     };
     let indices = bytes_of(&index_at, index_type.bytes())?;
     let values = bytes_of(&value_at, shape.element_bytes())?;
-    let sparse = Sparse { count, index_type, indices, values };
+    let element_bytes = shape.element_bytes();
+    let sparse = Sparse { count, index_type, indices, values, element_bytes };
     if let Some(index) = sparse.indices().find(|&index| index >= shape.count) {
         return Err(index_at.fault(format!("element {index} of {} does not exist", shape.count)));
     }
     Ok(sparse)
 }
 
+/// Characters of JSON that a sparse accessor takes in addition to those of another one.
+const SPARSE_JSON_BYTES: usize = 200;
+
 impl Sparse<'_> {
+    /// Bytes of the numbers of the elements.
+    pub(super) fn index_bytes(&self) -> &[u8] {
+        &self.indices[..self.count * self.index_type.bytes()]
+    }
+
+    /// Bytes of the elements.
+    pub(super) fn value_bytes(&self) -> &[u8] {
+        &self.values[..self.count * self.element_bytes]
+    }
+
+    /// Whether it takes fewer bytes than all elements of its accessor, and its numbers rise as they must.
+    pub(super) fn is_smaller_than(&self, shape: &Shape) -> bool {
+        let bytes = self.index_bytes().len() + self.value_bytes().len() + SPARSE_JSON_BYTES;
+        bytes < shape.count * shape.element_bytes() && self.indices().is_sorted_by(|a, b| a < b)
+    }
+
     /// Returns the numbers of the elements that are replaced.
     pub(super) fn indices(&self) -> impl Iterator<Item = usize> {
         let size = self.index_type.bytes();

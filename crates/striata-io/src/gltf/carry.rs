@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use serde_json::{Map, Value, json};
 
-use super::accessor::accessor;
+use super::accessor::{Sparse, accessor};
 use super::compression;
 use super::document::Document;
 use super::json::JsonNode;
@@ -125,6 +125,14 @@ impl Carried {
             self.accessors.push(copy);
             return Ok(self.accessors.len() - 1);
         }
+        if usage == Use::Vertices
+            && let Some(sparse) = source.sparse.as_ref().filter(|_| source.bytes.is_none())
+            && sparse.is_smaller_than(&source)
+        {
+            copy["sparse"] = self.copy_sparse(sparse);
+            self.accessors.push(copy);
+            return Ok(self.accessors.len() - 1);
+        }
         let packed = source.packed_bytes();
         document.unpacked.claim(packed.len() as u64, document.input_bytes, &at)?;
         if matches!(usage, Use::Vertices | Use::Indices) {
@@ -151,6 +159,21 @@ impl Carried {
         }
         self.accessors.push(copy);
         Ok(self.accessors.len() - 1)
+    }
+
+    /// Copies the elements that are not zero, each part to a view of its own.
+    fn copy_sparse(&mut self, sparse: &Sparse<'_>) -> Value {
+        let mut view = |bytes: &[u8]| {
+            let offset = self.append(bytes);
+            self.views.push(json!({ "buffer": 0, "byteOffset": offset, "byteLength": bytes.len() }));
+            self.views.len() - 1
+        };
+        let (indices, values) = (view(sparse.index_bytes()), view(sparse.value_bytes()));
+        json!({
+            "count": sparse.count,
+            "indices": { "bufferView": indices, "componentType": sparse.index_type.number() },
+            "values": { "bufferView": values },
+        })
     }
 
     /// Adds a view of vertices or indices.
