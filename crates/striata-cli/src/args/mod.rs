@@ -100,8 +100,23 @@ pub(crate) enum Verb {
     Completions(CompletionsArgs),
 }
 
-/// Help heading of the flags of `build` that limit the base mesh.
+/// Help heading of the flags that limit the base mesh.
 const BASE: &str = "Base mesh (the coarsest level)";
+
+/// Limits of the base mesh.
+#[derive(Debug, Args)]
+pub(crate) struct BaseArgs {
+    /// Stop at N triangles, or P% of the input [default: as few as possible]
+    #[arg(long, value_name = "N|P%", allow_hyphen_values = true, help_heading = BASE)]
+    pub(crate) base: Option<Count>,
+    /// Fail and write nothing if --base cannot be reached
+    #[arg(long, requires = "base", help_heading = BASE)]
+    pub(crate) strict: bool,
+    /// Guarantee that no point of the original is farther from a level (mesh units, or % of the diagonal); the
+    /// errors of paged files are estimates
+    #[arg(long, value_name = "DISTANCE", allow_negative_numbers = true, help_heading = BASE)]
+    pub(crate) max_error: Option<Length>,
+}
 
 /// Arguments of `build`.
 #[derive(Debug, Args)]
@@ -131,16 +146,9 @@ pub(crate) struct BuildArgs {
     /// Store an error for each overlap of patterns, which views and boxes then evaluate
     #[arg(long)]
     pub(crate) overlap_errors: bool,
-    /// Stop at N triangles, or P% of the input [default: as few as possible]
-    #[arg(long, value_name = "N|P%", allow_hyphen_values = true, help_heading = BASE)]
-    pub(crate) base: Option<Count>,
-    /// Fail and write nothing if --base cannot be reached
-    #[arg(long, requires = "base", help_heading = BASE)]
-    pub(crate) strict: bool,
-    /// Guarantee that no point of the original is farther from a level (mesh units, or % of the diagonal); the
-    /// errors of paged files are estimates
-    #[arg(long, value_name = "DISTANCE", allow_negative_numbers = true, help_heading = BASE)]
-    pub(crate) max_error: Option<Length>,
+    /// Where the base mesh ends.
+    #[command(flatten)]
+    pub(crate) limits: BaseArgs,
     /// How the mesh is simplified.
     #[command(flatten)]
     pub(crate) sequence: SequenceArgs,

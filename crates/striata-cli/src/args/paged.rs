@@ -6,6 +6,8 @@ use std::str::FromStr;
 use clap::Args;
 use striata_command::args::Length;
 
+use super::BaseArgs;
+
 /// Help heading of these flags.
 const PAGED: &str = "Paged files, for meshes larger than memory";
 
@@ -96,6 +98,9 @@ pub(crate) struct PlanArgs {
     /// Simulate the build on these numbers of workers, each with one core
     #[arg(long, value_name = "N,...", value_delimiter = ',', default_values_t = [1usize, 16, 256])]
     pub(crate) workers: Vec<usize>,
+    /// Where the base mesh ends.
+    #[command(flatten)]
+    pub(crate) limits: BaseArgs,
     /// How cells and positions are chosen.
     #[command(flatten)]
     pub(crate) cells: CellArgs,

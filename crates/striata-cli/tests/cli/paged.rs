@@ -321,6 +321,22 @@ fn the_base_mesh_of_a_paged_file_is_limited() {
     assert!(!bench.path("no.striata").exists() && !bench.path("no.striata.work").exists());
 }
 
+/// A plan has the limits that `build` has.
+#[test]
+fn the_base_mesh_of_a_plan_is_limited() {
+    let bench = Workbench::new();
+    bench.write("grid.ply", terrain(90, |x, y| [x as f64, y as f64, bump(x, y)]));
+    for (name, flags) in [("a", "--base 700"), ("b", "--max-error 2")] {
+        json(&bench, &format!("plan grid.ply --cell 2000 {flags} -o {name}.striata"));
+        bench.run(&format!("run {name}.striata.work")).success();
+        json(&bench, &format!("build grid.ply --cell 2000 {flags} -o built.striata"));
+        assert!(bench.read(&format!("{name}.striata")) == bench.read("built.striata"), "{flags}");
+    }
+    json(&bench, "plan grid.ply --base 1 --max-error 0.001 --strict -o c.striata");
+    let message = stderr(&bench.run("run c.striata.work").failure());
+    assert!(message.contains("at most 1"), "{message}");
+}
+
 /// Number of triangles that do not face up.
 fn turned_count(mesh: &IndexedMesh) -> usize {
     let area = |t: &&[u32; 3]| {

@@ -66,7 +66,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let base = base_of(args, &mesh).map_err(|error| Failure::from(error).in_file(&input.name))?;
     let limits = Limits {
         base_triangle_count: base.unwrap_or(0),
-        max_error: limit_in_units(args.max_error, diagonal),
+        max_error: limit_in_units(args.limits.max_error, diagonal),
     };
     let mut sequence = args.sequence.plan_for(&mesh, limits, output)?;
     if let Some(remark) =
@@ -91,7 +91,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     };
     let built = build(&mesh, &plan, &mut phases, &mut bar).map_err(|failure| failure.in_file(&input.name))?;
     let shortfall = base.and_then(|base| built.shortfall(base, &args.sequence));
-    check_strict(args.strict, None, shortfall.as_deref())?;
+    check_strict(args.limits.strict, None, shortfall.as_deref())?;
     phases.enter("write");
     bar.phase("write");
     let bytes = built.to_bytes(&source)?;
@@ -154,7 +154,7 @@ fn check_paged_flags(args: &BuildArgs) -> Result<(), Failure> {
 /// # Errors
 /// If the mesh is inconsistent.
 fn base_of(args: &BuildArgs, mesh: &IndexedMesh) -> Result<Option<usize>, MeshError> {
-    Ok(match args.base {
+    Ok(match args.limits.base {
         Some(share) if share.is_share() => Some(share.of_triangles(FullMesh::of(mesh)?.triangle_count)),
         // An absolute count does not depend on the mesh.
         number => number.map(|count| count.of_triangles(0)),

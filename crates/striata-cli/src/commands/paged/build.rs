@@ -17,7 +17,7 @@ use striata_paged::build::{
 
 use super::input::{build_input, build_options, scratch_bytes, work_folder};
 use super::{core_count, failure, failure_of};
-use crate::args::BuildArgs;
+use crate::args::{BaseArgs, BuildArgs};
 use striata_paged::PagedFile;
 
 /// What was built.
@@ -134,26 +134,37 @@ fn sequenced(options: BuildOptions, build: &BuildArgs) -> BuildOptions {
         lock_groups: sequence.lock_groups,
         keep_seams: sequence.keep_seams,
         height_field: sequence.keep_height_field.then_some(true),
-        base: build.base.map(|base| match base {
+        ..limited(options, &build.limits)
+    }
+}
+
+/// The options with limits of the base mesh.
+pub(super) fn limited(options: BuildOptions, limits: &BaseArgs) -> BuildOptions {
+    BuildOptions {
+        base: limits.base.map(|base| match base {
             Count::Number(count) => Limit::Absolute(count as f64),
             Count::Share(share) => Limit::Share(share),
         }),
-        max_error: build.max_error.map(|error| match error {
+        max_error: limits.max_error.map(|error| match error {
             Length::Absolute(length) => Limit::Absolute(length),
             Length::OfDiagonal(share) => Limit::Share(share),
         }),
-        strict: build.strict,
+        strict: limits.strict,
         ..options
     }
 }
 
 /// Explains why the base mesh has more triangles than requested, if it does.
 fn shortfall_of(build: &BuildArgs, (triangles, base_triangles): (u64, u64)) -> Option<String> {
-    let base = build.base?.of_triangles(triangles as usize);
+    let base = build.limits.base?.of_triangles(triangles as usize);
     let reached = ReachedLevel {
         vertex_count: 0,
         triangle_count: base_triangles as usize,
-        stop_reason: if build.max_error.is_some() { StopReason::ErrorLimit } else { StopReason::BaseReached },
+        stop_reason: if build.limits.max_error.is_some() {
+            StopReason::ErrorLimit
+        } else {
+            StopReason::BaseReached
+        },
     };
     let why = CoarseningLimit::Simplification(build.sequence.describe_limit(StepKind::Single));
     shortfall(Target::Triangles(base), reached, &why)

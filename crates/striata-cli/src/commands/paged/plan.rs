@@ -7,6 +7,7 @@ use striata_command::failure::Failure;
 use striata_command::output::{Output, Table, format_bytes, format_count, format_duration};
 use striata_paged::build::{Plan, Simulation, SimulationOptions, Stage};
 
+use super::build::limited;
 use super::input::{build_input, build_options, work_folder};
 use super::{core_count, failure};
 use crate::args::PlanArgs;
@@ -32,7 +33,7 @@ struct Report {
 /// If an input cannot be read or the plan cannot be written.
 pub(crate) fn plan(args: &PlanArgs, output: &Output) -> Result<(), Failure> {
     let input = build_input(&args.inputs)?;
-    let options = build_options(&args.cells, output)?;
+    let options = limited(build_options(&args.cells, output)?, &args.limits);
     let folder = work_folder(&args.output, args.work.as_deref());
     if let Some(wrong) = args.workers.iter().find(|n| !(1..=MAX_WORKERS).contains(*n)) {
         return Err(Failure::user(format!("--workers has {wrong}, but must be 1 to {MAX_WORKERS}")));

@@ -72,15 +72,15 @@ pub(in crate::commands) fn build(
     let scene = edited(input.scene(output)?, (&args.edits, false), output)?;
     let scene = with_textures(scene, args.textures.options().as_ref(), output)?;
     phases.enter("simplify");
-    let base = args.base.map(|count| count.of_triangles(scene.triangle_count()));
+    let base = args.limits.base.map(|count| count.of_triangles(scene.triangle_count()));
     let limits = Limits {
         base_triangle_count: base.unwrap_or(0),
-        max_error: limit_in_units(args.max_error, scene.diagonal()),
+        max_error: limit_in_units(args.limits.max_error, scene.diagonal()),
     };
     let lods =
         build_scene(input, &scene, (&args.sequence, limits), output, &mut |progress| bar.show(progress))?;
     let shortfall = base.and_then(|base| shortfall_of(&lods, base, args));
-    check_strict(args.strict, None, shortfall.as_deref())?;
+    check_strict(args.limits.strict, None, shortfall.as_deref())?;
     phases.enter("write");
     bar.phase("write");
     let options = WriteOptions::default()
@@ -117,7 +117,7 @@ fn shortfall_of(lods: &LodScene, base: usize, args: &BuildArgs) -> Option<String
         vertex_count: level.vertex_count,
         triangle_count: level.triangle_count,
         stop_reason: match level.stop_reason {
-            StopReason::BaseReached if args.max_error.is_some() => StopReason::ErrorLimit,
+            StopReason::BaseReached if args.limits.max_error.is_some() => StopReason::ErrorLimit,
             reason => reason,
         },
     };
