@@ -76,17 +76,33 @@ pub(crate) fn warning_texts(warnings: &[striata_io::Warning]) -> Vec<String> {
     warnings.iter().map(ToString::to_string).collect()
 }
 
+/// How files are written.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct WriteArguments {
+    ascii: bool,
+    embed: bool,
+    shading: bool,
+}
+
+impl WriteArguments {
+    fn options(&self) -> WriteOptions {
+        let Self { ascii, embed, shading } = *self;
+        WriteOptions::default().with_ascii(ascii).with_embed(embed).with_shading(shading)
+    }
+}
+
 /// Writes a mesh in the format of the extension, and returns what the format cannot store.
 #[pyfunction]
 pub(crate) fn write_mesh(
     py: Python<'_>,
     path: PathBuf,
     mesh: &MeshData,
-    ascii: bool,
+    options: WriteArguments,
 ) -> Outcome<Vec<String>> {
     let mut mesh = Arc::clone(&mesh.mesh);
+    let options = options.options();
     job::run(py, UNKNOWN_SIZE, None, move |_| {
-        let options = WriteOptions::default().with_ascii(ascii);
         if let Some(format) = Format::from_extension(&path)
             && needs_other_colors(&mesh, format)
         {
@@ -99,10 +115,15 @@ pub(crate) fn write_mesh(
 
 /// Writes a scene in the format of the extension, and returns what the format cannot store.
 #[pyfunction]
-pub(crate) fn write_scene(py: Python<'_>, path: PathBuf, scene: &SceneData) -> Outcome<Vec<String>> {
+pub(crate) fn write_scene(
+    py: Python<'_>,
+    path: PathBuf,
+    scene: &SceneData,
+    options: WriteArguments,
+) -> Outcome<Vec<String>> {
     let scene = Arc::clone(&scene.scene);
+    let options = options.options();
     job::run(py, UNKNOWN_SIZE, None, move |_| {
-        let options = WriteOptions::default();
         let warnings = striata_io::write_scene_with_report(&path, &scene, &options).map_err(write_error)?;
         Ok(warnings.iter().map(ToString::to_string).collect())
     })

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use striata::simplify::AttributeWeights;
-use striata_paged::build::{BuildError, BuildInput, BuildOptions, Plan, SimulationOptions, run_task};
+use striata_paged::build::{BuildError, BuildInput, BuildOptions, Limit, Plan, SimulationOptions, run_task};
 
 use crate::errors::{Outcome, cancelled, decode_error, internal_error, os_error, read_error, value_error};
 use crate::job;
@@ -48,6 +48,23 @@ pub(crate) struct PlanOptions {
     task_size: u64,
     #[pyo3(item)]
     weights: (f32, f32, f32),
+    /// Number of triangles, and whether it is a share of those of the input.
+    #[pyo3(item)]
+    base: Option<(f64, bool)>,
+    /// Distance, and whether it is a share of the diagonal.
+    #[pyo3(item)]
+    max_error: Option<(f64, bool)>,
+    #[pyo3(item)]
+    strict: bool,
+}
+
+/// A limit of the base mesh, which must not be negative.
+fn limit(name: &str, given: Option<(f64, bool)>) -> Outcome<Option<Limit>> {
+    let Some((value, is_share)) = given else { return Ok(None) };
+    if !(value >= 0.0 && value.is_finite()) {
+        return Err(value_error(format!("{name} must be a finite number of at least 0")));
+    }
+    Ok(Some(if is_share { Limit::Share(value) } else { Limit::Absolute(value) }))
 }
 
 impl PlanOptions {
@@ -86,6 +103,9 @@ impl PlanOptions {
             color_weight,
             cells_per_task: task_size,
             pieces_per_task: task_size.div_ceil(2),
+            base: limit("base", self.base)?,
+            max_error: limit("max_error", self.max_error)?,
+            strict: self.strict,
             ..BuildOptions::default()
         })
     }

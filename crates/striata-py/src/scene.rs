@@ -88,6 +88,23 @@ impl SceneData {
         job::run(py, size, None, move |_| Ok(MeshData::from(scene.flattened().map_err(write_error)?)))
     }
 
+    /// The scene with equal parts merged.
+    fn deduplicated(&self, py: Python<'_>) -> Outcome<Self> {
+        let scene = Arc::clone(&self.scene);
+        job::run(py, scene.triangle_count(), None, move |_| {
+            Ok(Self::from(Scene::clone(&scene).deduplicated().0))
+        })
+    }
+
+    /// The scene without keyframes that are within a tolerance of what their neighbors give.
+    fn resampled(&self, py: Python<'_>, tolerance: f64) -> Outcome<Self> {
+        let scene = Arc::clone(&self.scene);
+        job::run(py, scene.triangle_count(), None, move |_| {
+            let (resampled, _) = Scene::clone(&scene).resampled(tolerance).map_err(value_error)?;
+            Ok(Self::from(resampled))
+        })
+    }
+
     /// Builds all levels of all meshes.
     fn build(
         &self,

@@ -197,6 +197,37 @@ def test_scenes(tmp_path, torus, scene_path):
         lods.level(max_error=1)
 
 
+def test_scenes_are_edited_and_embedded(tmp_path, torus, scene_path):
+    document = json.loads(scene_path.read_text())
+    document["materials"] = 2 * document["materials"]
+    document["meshes"] = 2 * document["meshes"]
+    document["nodes"][-1]["mesh"] = 1
+    path = tmp_path / "copies.gltf"
+    path.write_text(json.dumps(document))
+    scene = striata.open(path)
+    merged = scene.deduplicate()
+    assert len(scene.meshes) == 2 and len(merged.meshes) == 1 and len(merged.document["materials"]) == 1
+    assert merged.triangle_count == scene.triangle_count
+    assert scene.resample().document == scene.document
+    with pytest.raises(ValueError, match="tolerance"):
+        scene.resample(-1)
+    striata.save(tmp_path / "a.gltf", scene)
+    scene.save(tmp_path / "b.gltf", embed=True)
+    assert (tmp_path / "a.bin").exists() and not (tmp_path / "b.bin").exists()
+    striata.save(tmp_path / "c.gltf", striata.Mesh(*torus), embed=True)
+    assert not (tmp_path / "c.bin").exists()
+
+
+def test_shading_gives_plain_meshes_normals(tmp_path, torus):
+    striata.save(tmp_path / "plain.glb", striata.Mesh(*torus))
+    striata.save(tmp_path / "shaded.glb", striata.Mesh(*torus), shading=True)
+    primitive = [
+        striata.open(tmp_path / f"{name}.glb").document["meshes"][0]["primitives"][0] for name in ("plain", "shaded")
+    ]
+    assert "NORMAL" not in primitive[0]["attributes"] and "NORMAL" in primitive[1]["attributes"]
+    assert "material" not in primitive[0] and "material" in primitive[1]
+
+
 def test_meshes_of_files_have_attributes_groups_and_materials(tmp_path):
     (tmp_path / "m.mtl").write_text("newmtl a\nKd 1 0 0\nnewmtl b\nKd 0 1 0\n")
     (tmp_path / "m.obj").write_text(

@@ -54,6 +54,20 @@ def test_a_plan_says_what_it_needs(tmp_path):
         plan.run_task(plan.task_count)
 
 
+def test_the_base_mesh_is_limited(tmp_path):
+    def base_of(name, **options):
+        plan = striata.run(make(tmp_path, f"{name}.striata", **options))
+        return striata.open(plan.output).level(triangles=1).face_count
+
+    full = 2 * 259 * 259
+    assert 690 <= base_of("a", base=700) <= 700
+    assert 0.009 * full <= base_of("b", base="1%") <= 0.01 * full
+    assert base_of("c", max_error="0.01%") > base_of("d", max_error="1%") > 0
+    for options, name in [({"base": -1}, "base"), ({"max_error": "much"}, "max_error")]:
+        with pytest.raises(ValueError, match=name):
+            make(tmp_path, "no.striata", **options)
+
+
 def test_a_plan_is_simulated(tmp_path):
     plan = make(tmp_path)
     one, four = plan.simulate(1), plan.simulate(4)

@@ -63,7 +63,15 @@ def open(path: Path, *, strict_input: bool = False) -> Any:
     return _CLASSES[type(data)]._of(data)
 
 
-def save(path: Path, model: Any, *, ascii: bool = False, progress: Progress = False) -> None:
+def save(
+    path: Path,
+    model: Any,
+    *,
+    ascii: bool = False,
+    embed: bool = False,
+    shading: bool = False,
+    progress: Progress = False,
+) -> None:
     """Write a mesh, a scene or levels to a file that appears complete or not at all.
 
     Parameters
@@ -76,6 +84,12 @@ def save(path: Path, model: Any, *, ascii: bool = False, progress: Progress = Fa
         What to write.
     ascii : bool
         Whether PLY is written as text.
+    embed : bool
+        Whether a ``.gltf`` file contains its buffer and images, which takes a third more bytes, instead of having
+        them as files next to it.
+    shading : bool
+        Whether a mesh without normals gets smooth ones in glTF, up to creases of 50 degrees, and a mesh without
+        materials a matte one. Points at creases are divided.
 
     Raises
     ------
@@ -100,14 +114,16 @@ def save(path: Path, model: Any, *, ascii: bool = False, progress: Progress = Fa
         # Points in double precision keep their digits until they are stored.
         model = build(model, progress=progress)
     if isinstance(model, Lod):
-        write_lod(path, model._data, model._offset, ascii=ascii, progress=progress)
+        write_lod(
+            path, model._data, model._offset, ascii=ascii, embed=embed, shading=shading, progress=progress
+        )
     elif isinstance(model, LodScene):
-        write_lod_scene(path, model._data, progress=progress)
+        write_lod_scene(path, model._data, embed=embed, progress=progress)
     elif isinstance(model, Scene):
-        write_scene(path, model._data, progress=progress)
+        write_scene(path, model._data, embed=embed, progress=progress)
     else:
         data = model._mesh_data() if isinstance(model, Level) else mesh_data_of(model)
-        write_mesh(path, data, ascii=ascii, progress=progress)
+        write_mesh(path, data, ascii=ascii, embed=embed, shading=shading, progress=progress)
 
 
 def convert(source: Path, target: Path, *, ascii: bool = False, progress: Progress = False) -> None:

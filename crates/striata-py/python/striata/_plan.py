@@ -11,6 +11,7 @@ from typing import Any
 
 from . import _striata
 from ._progress import Progress, reporting
+from ._targets import number
 
 Path = str | os.PathLike[str]
 
@@ -142,6 +143,9 @@ def plan(
     allow_merging: bool = False,
     nodata: float | None = None,
     z_scale: float = 1.0,
+    base: int | str | None = None,
+    max_error: float | str | None = None,
+    strict: bool = False,
     task_size: int = 16,
     normal_weight: float = 0.007,
     texcoord_weight: float = 0.02,
@@ -173,6 +177,12 @@ def plan(
         Sample of a raster that stands for no height, besides the one that the file names.
     z_scale : float
         Factor on the heights of a terrain.
+    base : int or str, optional
+        Triangles of the base mesh, or a share of those of the input such as ``"1%"``. Default: as few as possible.
+    max_error : float or str, optional
+        Largest error of a level in mesh units, or a share of the diagonal such as ``"0.1%"``. It is an estimate.
+    strict : bool
+        Fail if `base` cannot be reached.
     task_size : int
         Cells per task. A cell takes about an eighth of a second.
     normal_weight, texcoord_weight, color_weight : float
@@ -204,10 +214,22 @@ def plan(
         "z_scale": z_scale,
         "task_size": task_size,
         "weights": (normal_weight, texcoord_weight, color_weight),
+        "base": _limit(base, "base"),
+        "max_error": _limit(max_error, "max_error"),
+        "strict": strict,
     }
     with reporting(progress) as report:
         data = _striata.PlanData.make(_files(inputs), (output, folder), options, report)
     return Plan(data)
+
+
+def _limit(value: float | str | None, name: str) -> tuple[float, bool] | None:
+    """Return a number, and whether it is a share, from a number or text such as ``"1%"``."""
+    if value is None:
+        return None
+    if isinstance(value, str) and value.strip().endswith("%"):
+        return number(value.strip()[:-1], name) / 100, True
+    return number(value, name), False
 
 
 def _files(inputs: Path | Iterable[Path]) -> list[str]:

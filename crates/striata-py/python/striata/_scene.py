@@ -18,7 +18,7 @@ from ._lod import Lod
 from ._mesh import Image, Mesh
 from ._options import Boundary, Cost, Seams, Topology, options_of
 from ._progress import Progress, reporting
-from ._targets import Target, Targets, level_within
+from ._targets import Target, Targets, level_within, number
 from ._write import write_lod_scene, write_scene
 
 
@@ -96,6 +96,29 @@ class Scene:
         """Return one mesh of everything shown, with all transforms applied."""
         return Mesh._of(self._data.flattened())
 
+    def deduplicate(self) -> Scene:
+        """Return the scene with equal images, textures, materials, vertices and meshes merged.
+
+        Materials and meshes with different names stay apart. A scene with an unknown extension, which may refer to
+        any part by its number, stays as it is.
+        """
+        return Scene._of(self._data.deduplicated())
+
+    def resample(self, tolerance: float = 1e-4) -> Scene:
+        """Return the scene without keyframes that their neighbors give within a tolerance.
+
+        The tolerance is relative to the largest number of each animated property, which is 1 for rotations.
+
+        Raises
+        ------
+        ValueError
+            If the tolerance is negative, or the data of an animation are damaged.
+        """
+        converted = number(tolerance, "tolerance")
+        if converted < 0:
+            raise ValueError(f"tolerance is {converted}, but must be at least 0")
+        return Scene._of(self._data.resampled(converted))
+
     def build(
         self,
         *,
@@ -124,9 +147,9 @@ class Scene:
         with reporting(progress) as callback:
             return LodScene._of(self._data.build(guaranteed, options, callback))
 
-    def save(self, path: str | os.PathLike[str]) -> None:
+    def save(self, path: str | os.PathLike[str], *, embed: bool = False) -> None:
         """Write the scene; see `striata.save`."""
-        write_scene(path, self._data)
+        write_scene(path, self._data, embed=embed)
 
     def __repr__(self) -> str:
         meshes, images = counted(len(self.mesh_names), "mesh"), counted(len(self.images), "image")
@@ -229,9 +252,9 @@ class SceneLevel:
         """Return the level as a scene, with materials, images and animations."""
         return Scene._of(self._lods._data.level_scene(self._target))
 
-    def save(self, path: str | os.PathLike[str]) -> None:
+    def save(self, path: str | os.PathLike[str], *, embed: bool = False) -> None:
         """Write the level as a scene; see `striata.save`."""
-        self.to_scene().save(path)
+        self.to_scene().save(path, embed=embed)
 
     def __repr__(self) -> str:
         return f"<striata.SceneLevel: {counted(self.triangle_count, 'face')}, error {self.error:.3g}>"

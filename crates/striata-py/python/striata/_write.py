@@ -36,7 +36,15 @@ def _warn_of(losses: list[str]) -> None:
         warn(loss)
 
 
-def write_mesh(path: Path, data: _striata.MeshData, *, ascii: bool = False, progress: Progress = False) -> None:
+def write_mesh(
+    path: Path,
+    data: _striata.MeshData,
+    *,
+    ascii: bool = False,
+    embed: bool = False,
+    shading: bool = False,
+    progress: Progress = False,
+) -> None:
     """Write a mesh, in the coordinates of the user."""
     file, kind = _file_and_kind(path)
     with reporting(progress) as callback:
@@ -46,7 +54,7 @@ def write_mesh(path: Path, data: _striata.MeshData, *, ascii: bool = False, prog
         elif kind == "stri":
             _striata.write_bytes(file, _striata.encode_mesh(data, DEFAULT_QUALITY, callback))
         else:
-            _warn_of(_striata.write_mesh(file, data, ascii))
+            _warn_of(_striata.write_mesh(file, data, {"ascii": ascii, "embed": embed, "shading": shading}))
 
 
 def write_lod(
@@ -55,6 +63,8 @@ def write_lod(
     offset: tuple[float, float, float],
     *,
     ascii: bool = False,
+    embed: bool = False,
+    shading: bool = False,
     progress: Progress = False,
 ) -> None:
     """Write all levels of a mesh, or the full mesh; `offset` is added to the points."""
@@ -62,10 +72,11 @@ def write_lod(
     if kind == "striata":
         _striata.write_bytes(file, data.to_striata(offset))
     else:
-        write_mesh(path, data.mesh().moved(offset), ascii=ascii, progress=progress)
+        mesh = data.mesh().moved(offset)
+        write_mesh(path, mesh, ascii=ascii, embed=embed, shading=shading, progress=progress)
 
 
-def write_scene(path: Path, data: _striata.SceneData, *, progress: Progress = False) -> None:
+def write_scene(path: Path, data: _striata.SceneData, *, embed: bool = False, progress: Progress = False) -> None:
     """Write a scene."""
     file, kind = _file_and_kind(path)
     with reporting(progress) as callback:
@@ -75,14 +86,16 @@ def write_scene(path: Path, data: _striata.SceneData, *, progress: Progress = Fa
         elif kind == "stri":
             _striata.write_bytes(file, _striata.encode_scene(data, DEFAULT_QUALITY, DEFAULT_PREVIEW_SIDE, callback))
         else:
-            _warn_of(_striata.write_scene(file, data))
+            _warn_of(_striata.write_scene(file, data, {"ascii": False, "embed": embed, "shading": False}))
 
 
-def write_lod_scene(path: Path, data: _striata.LodSceneData, *, progress: Progress = False) -> None:
+def write_lod_scene(
+    path: Path, data: _striata.LodSceneData, *, embed: bool = False, progress: Progress = False
+) -> None:
     """Write all levels of a scene, or the full scene."""
     file, kind = _file_and_kind(path, with_levels=("striata", "stri", "glb"))
     if kind in ("striata", "glb"):
         with reporting(progress) as callback:
             _striata.write_bytes(file, data.to_bytes(kind, callback))
     else:
-        write_scene(path, data.full_scene(), progress=progress)
+        write_scene(path, data.full_scene(), embed=embed, progress=progress)
