@@ -76,17 +76,19 @@ pub(crate) fn warning_texts(warnings: &[striata_io::Warning]) -> Vec<String> {
     warnings.iter().map(ToString::to_string).collect()
 }
 
-/// Writes a mesh in the format of the extension, and returns what the format cannot store.
+/// Writes a mesh in the format of the extension, with its triangles in cache order if it is a level, and returns what
+/// the format cannot store.
 #[pyfunction]
 pub(crate) fn write_mesh(
     py: Python<'_>,
     path: PathBuf,
     mesh: &MeshData,
     ascii: bool,
+    is_level: bool,
 ) -> Outcome<Vec<String>> {
     let mut mesh = Arc::clone(&mesh.mesh);
     job::run(py, UNKNOWN_SIZE, None, move |_| {
-        let options = WriteOptions::default().with_ascii(ascii);
+        let options = WriteOptions::default().with_ascii(ascii).with_cache_order(is_level);
         if let Some(format) = Format::from_extension(&path)
             && needs_other_colors(&mesh, format)
         {
@@ -97,12 +99,18 @@ pub(crate) fn write_mesh(
     })
 }
 
-/// Writes a scene in the format of the extension, and returns what the format cannot store.
+/// Writes a scene in the format of the extension, with its triangles in cache order if it is a level, and returns what
+/// the format cannot store.
 #[pyfunction]
-pub(crate) fn write_scene(py: Python<'_>, path: PathBuf, scene: &SceneData) -> Outcome<Vec<String>> {
+pub(crate) fn write_scene(
+    py: Python<'_>,
+    path: PathBuf,
+    scene: &SceneData,
+    is_level: bool,
+) -> Outcome<Vec<String>> {
     let scene = Arc::clone(&scene.scene);
     job::run(py, UNKNOWN_SIZE, None, move |_| {
-        let options = WriteOptions::default();
+        let options = WriteOptions::default().with_cache_order(is_level);
         let warnings = striata_io::write_scene_with_report(&path, &scene, &options).map_err(write_error)?;
         Ok(warnings.iter().map(ToString::to_string).collect())
     })

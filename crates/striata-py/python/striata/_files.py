@@ -94,6 +94,7 @@ def save(path: Path, model: Any, *, ascii: bool = False, progress: Progress = Fa
     ...     striata.open(path)
     <striata.Lod: 128 points, 256 faces, ...>
     """
+    is_level = isinstance(model, (Level, SceneLevel))
     if isinstance(model, SceneLevel):
         model = model.to_scene()
     elif _striata.format_of(os.fspath(path)) == "striata" and not isinstance(model, (Mesh, Lod, Level, Scene, LodScene)):
@@ -104,10 +105,10 @@ def save(path: Path, model: Any, *, ascii: bool = False, progress: Progress = Fa
     elif isinstance(model, LodScene):
         write_lod_scene(path, model._data, progress=progress)
     elif isinstance(model, Scene):
-        write_scene(path, model._data, progress=progress)
+        write_scene(path, model._data, is_level=is_level, progress=progress)
     else:
         data = model._mesh_data() if isinstance(model, Level) else mesh_data_of(model)
-        write_mesh(path, data, ascii=ascii, progress=progress)
+        write_mesh(path, data, ascii=ascii, is_level=is_level, progress=progress)
 
 
 def convert(source: Path, target: Path, *, ascii: bool = False, progress: Progress = False) -> None:

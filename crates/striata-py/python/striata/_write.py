@@ -36,8 +36,15 @@ def _warn_of(losses: list[str]) -> None:
         warn(loss)
 
 
-def write_mesh(path: Path, data: _striata.MeshData, *, ascii: bool = False, progress: Progress = False) -> None:
-    """Write a mesh, in the coordinates of the user."""
+def write_mesh(
+    path: Path,
+    data: _striata.MeshData,
+    *,
+    ascii: bool = False,
+    is_level: bool = False,
+    progress: Progress = False,
+) -> None:
+    """Write a mesh, in the coordinates of the user; levels with their faces in an order for vertex caches."""
     file, kind = _file_and_kind(path)
     with reporting(progress) as callback:
         if kind == "striata":
@@ -46,7 +53,7 @@ def write_mesh(path: Path, data: _striata.MeshData, *, ascii: bool = False, prog
         elif kind == "stri":
             _striata.write_bytes(file, _striata.encode_mesh(data, DEFAULT_QUALITY, callback))
         else:
-            _warn_of(_striata.write_mesh(file, data, ascii))
+            _warn_of(_striata.write_mesh(file, data, ascii, is_level))
 
 
 def write_lod(
@@ -65,8 +72,10 @@ def write_lod(
         write_mesh(path, data.mesh().moved(offset), ascii=ascii, progress=progress)
 
 
-def write_scene(path: Path, data: _striata.SceneData, *, progress: Progress = False) -> None:
-    """Write a scene."""
+def write_scene(
+    path: Path, data: _striata.SceneData, *, is_level: bool = False, progress: Progress = False
+) -> None:
+    """Write a scene; levels with their faces in an order for vertex caches."""
     file, kind = _file_and_kind(path)
     with reporting(progress) as callback:
         if kind == "striata":
@@ -75,7 +84,7 @@ def write_scene(path: Path, data: _striata.SceneData, *, progress: Progress = Fa
         elif kind == "stri":
             _striata.write_bytes(file, _striata.encode_scene(data, DEFAULT_QUALITY, DEFAULT_PREVIEW_SIDE, callback))
         else:
-            _warn_of(_striata.write_scene(file, data))
+            _warn_of(_striata.write_scene(file, data, is_level))
 
 
 def write_lod_scene(path: Path, data: _striata.LodSceneData, *, progress: Progress = False) -> None:
