@@ -67,8 +67,10 @@ pub fn format_of(path: &Path, args: &FormatArgs) -> Result<Format, Failure> {
 /// The primitives that the triangles of a mesh are written as, group by group.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Primitives {
-    /// A triangle list.
+    /// A triangle list, in cache order.
     Triangles,
+    /// A triangle list in the order of the mesh.
+    UnsortedTriangles,
     /// One strip per group, joined by degenerate triangles; an empty strip stands for a triangle list.
     Strips(Vec<Vec<u32>>),
     /// The fans of each group.
@@ -92,7 +94,8 @@ fn encoded(
     }
     let mut options = args.gltf.applied_to(WriteOptions::default().with_ascii(args.ascii));
     match primitives {
-        Primitives::Triangles => options = options.with_shading(!args.gltf.raw),
+        Primitives::Triangles => options = options.with_shading(!args.gltf.raw).with_cache_order(true),
+        Primitives::UnsortedTriangles => options = options.with_shading(!args.gltf.raw),
         Primitives::Strips(strips) => options = options.with_strips(strips),
         Primitives::Fans(fans) => options = options.with_fans(fans),
     }
@@ -109,18 +112,29 @@ pub fn folder_path(path: &Path) -> Option<&Path> {
 ///
 /// # Errors
 /// If the format cannot represent the scene.
-fn encoded_scene(scene: &Scene, path: &Path, args: &FormatArgs) -> Result<EncodedMesh, Failure> {
+fn encoded_scene(
+    scene: &Scene,
+    has_cache_order: bool,
+    path: &Path,
+    args: &FormatArgs,
+) -> Result<EncodedMesh, Failure> {
     let format = format_of(path, args)?;
-    let options = args.gltf.applied_to(WriteOptions::default().with_ascii(args.ascii));
+    let options = WriteOptions::default().with_ascii(args.ascii).with_cache_order(has_cache_order);
+    let options = args.gltf.applied_to(options);
     Ok(encode_scene(format, scene, &options, folder_path(path))?)
 }
 
-/// Writes a scene to a file or to stdout.
+/// Writes a scene to a file or to stdout, with its triangles in cache order or in their own.
 ///
 /// # Errors
 /// If the format cannot represent the scene or writing fails; existing files are then left unchanged.
-pub fn write_scene(scene: &Scene, path: &Path, args: &FormatArgs, output: &Output) -> Result<(), Failure> {
-    write_encoded(&encoded_scene(scene, path, args)?, path, output)
+pub fn write_scene(
+    scene: &Scene,
+    has_cache_order: bool,
+    path: &Path,
+    (args, output): (&FormatArgs, &Output),
+) -> Result<(), Failure> {
+    write_encoded(&encoded_scene(scene, has_cache_order, path, args)?, path, output)
 }
 
 /// Writes a mesh to a file or to stdout.
@@ -188,7 +202,7 @@ impl<'a> LevelFiles<'a> {
     /// # Errors
     /// If the format cannot represent the scene or writing fails.
     pub fn write_scene(&mut self, scene: &Scene, path: &Path) -> Result<(), Failure> {
-        self.write_contents(&encoded_scene(scene, path, self.format)?, path)
+        self.write_contents(&encoded_scene(scene, true, path, self.format)?, path)
     }
 
     fn write_contents(&mut self, encoded: &EncodedMesh, path: &Path) -> Result<(), Failure> {

@@ -104,6 +104,7 @@
 mod atomic;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 mod blocks;
+mod cache_order;
 mod color_space;
 #[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
 mod companions;

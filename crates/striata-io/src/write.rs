@@ -4,6 +4,7 @@ use std::path::Path;
 
 use striata::mesh::IndexedMesh;
 
+use crate::cache_order::in_cache_order;
 use crate::compressed::Compression;
 use crate::encoded::{CompanionFile, encode_mesh};
 use crate::error::Refusal;
@@ -73,6 +74,8 @@ pub(crate) fn named_bytes(
 ) -> Result<(Vec<u8>, Vec<CompanionFile>), WriteError> {
     check_parts(mesh).map_err(|refusal| refusal.in_file(file, format))?;
     crate::lost_data::warn(format, mesh, warnings);
+    let is_gltf = matches!(format, Format::Gltf | Format::Glb);
+    let mesh = if options.has_cache_order() && !is_gltf { &in_cache_order(mesh) } else { mesh };
     let mut companions = Vec::new();
     #[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
     let mut images = crate::image_files::ImageFiles::new(&mesh.appearance.images, path);

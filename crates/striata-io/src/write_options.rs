@@ -31,6 +31,11 @@ pub struct WriteOptions {
     /// `.gltf` only: whether buffer and images are embedded as text, which takes a third more bytes, instead of
     /// being files next to it. Bytes without a path always embed them. Default: false.
     pub embed: bool,
+    /// Whether triangles are written in an order that needs few vertex cache misses, and vertices in the order of
+    /// their first use. Primitives with a blended material keep the order in which they are drawn. Has no effect
+    /// with strips or fans, nor with [`meshopt`](Self::meshopt) or [`draco`](Self::draco), which choose an order of
+    /// their own. Default: false.
+    pub cache_order: bool,
 }
 
 impl WriteOptions {
@@ -80,6 +85,17 @@ impl WriteOptions {
     #[must_use]
     pub fn with_draco(self, draco: bool) -> Self {
         Self { draco, ..self }
+    }
+
+    /// Sets [`cache_order`](Self::cache_order).
+    #[must_use]
+    pub fn with_cache_order(self, cache_order: bool) -> Self {
+        Self { cache_order, ..self }
+    }
+
+    /// Whether triangles and vertices get their order for caches before they are encoded.
+    pub(crate) fn has_cache_order(&self) -> bool {
+        self.cache_order && !self.meshopt && !self.draco && self.strips.is_none() && self.fans.is_none()
     }
 }
 

@@ -1,11 +1,13 @@
 //! The `striata-lab` command: measures striata and the models and tools it is compared with.
 //!
 //! In reading order: `args` defines the command line, `compare` measures sizes, levels and views of all
-//! models, `poses` measures levels of animated meshes, and `bench_gpu` measures frame times on a GPU.
+//! models, `poses` measures levels of animated meshes, `caches` counts vertex cache misses of files, and `bench_gpu`
+//! measures frame times on a GPU.
 
 mod args;
 #[cfg(feature = "gpu")]
 mod bench_gpu;
+mod caches;
 mod compare;
 mod pace;
 mod poses;
@@ -26,6 +28,7 @@ fn run(cli: &Cli) -> Result<(), Failure> {
     match &cli.verb {
         Verb::Compare(args) => compare::run(args, &output),
         Verb::Poses(args) => poses::run(args, &output),
+        Verb::Caches(args) => caches::run(args, &output),
         #[cfg(feature = "gpu")]
         Verb::BenchGpu(args) => bench_gpu::run(args, &output.with_drivers(args.drivers)),
     }

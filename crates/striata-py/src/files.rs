@@ -83,16 +83,19 @@ pub(crate) struct WriteArguments {
     ascii: bool,
     embed: bool,
     shading: bool,
+    is_level: bool,
 }
 
 impl WriteArguments {
     fn options(&self) -> WriteOptions {
-        let Self { ascii, embed, shading } = *self;
-        WriteOptions::default().with_ascii(ascii).with_embed(embed).with_shading(shading)
+        let Self { ascii, embed, shading, is_level } = *self;
+        let options = WriteOptions::default().with_ascii(ascii).with_embed(embed).with_shading(shading);
+        options.with_cache_order(is_level)
     }
 }
 
-/// Writes a mesh in the format of the extension, and returns what the format cannot store.
+/// Writes a mesh in the format of the extension, with its triangles in cache order if it is a level, and returns what
+/// the format cannot store.
 #[pyfunction]
 pub(crate) fn write_mesh(
     py: Python<'_>,
@@ -113,7 +116,8 @@ pub(crate) fn write_mesh(
     })
 }
 
-/// Writes a scene in the format of the extension, and returns what the format cannot store.
+/// Writes a scene in the format of the extension, with its triangles in cache order if it is a level, and returns what
+/// the format cannot store.
 #[pyfunction]
 pub(crate) fn write_scene(
     py: Python<'_>,

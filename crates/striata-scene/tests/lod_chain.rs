@@ -3,8 +3,10 @@
 use std::collections::BTreeSet;
 
 use serde_json::Value;
+use striata::mesh::shapes;
+use striata::strip::fifo_cache_cost;
 use striata::{LodOptions, Target};
-use striata_io::{Format, Source, read_scene_bytes};
+use striata_io::{Format, Scene, Source, read_scene_bytes};
 use striata_scene::{LodChainOptions, LodScene, SceneLevel, lod_chain};
 use striata_testing::scenes::{self, TestScene};
 
@@ -181,4 +183,17 @@ fn equal_levels_are_written_once_and_old_chains_replaced() {
     let bytes = lod_chain(&lods, &[], &options, None).unwrap().bytes;
     assert!(!String::from_utf8_lossy(&bytes).contains("MSFT_lod"));
     assert!(lod_chain(&lods, &[], &options.with_format(Format::Ply), None).is_err());
+}
+
+#[test]
+fn every_level_is_in_cache_order() {
+    let scene = Scene::from_mesh(shapes::terrain(48, 3)).unwrap();
+    let lods = LodScene::build(&scene, &LodOptions::default()).unwrap();
+    let bytes = lod_chain(&lods, &levels(&lods), &LodChainOptions::default(), None).unwrap().bytes;
+    let scene = read_scene_bytes(&bytes, &Source::new("chain.glb")).unwrap();
+    assert_eq!(scene.meshes().len(), 4);
+    for mesh in scene.meshes().iter().flatten() {
+        let cost = fifo_cache_cost(mesh.triangles.as_flattened(), mesh.triangle_count(), 16);
+        assert!(cost.acmr < 0.9, "{} triangles: {}", mesh.triangle_count(), cost.acmr);
+    }
 }

@@ -60,7 +60,8 @@ fn encode(
         "level" => {
             let is_whole = triangles as usize >= scene.triangle_count();
             let level = if is_whole { scene } else { level_of(&scene, triangles, progress)? };
-            scene_to_bytes(Format::Glb, &level, &WriteOptions::default()).map_err(Failure::unsupported)
+            let options = WriteOptions::default().with_cache_order(!is_whole);
+            scene_to_bytes(Format::Glb, &level, &options).map_err(Failure::unsupported)
         }
         other => Err(Failure::unsupported(format!("cannot encode as {other:?}, only as stri or glb"))),
     }

@@ -32,7 +32,10 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
         return scene::convert(args, &input, (path, format.extension()), output);
     }
     let mesh = with_mesh_textures(input.mesh(output)?, args.textures.options().as_ref(), output)?;
-    write_mesh(&mesh, Primitives::Triangles, path, (&args.format, output))?;
+    // Meshes keep the order that they come in; levels have none of their own.
+    let has_levels = input.has_levels() || input.has_scene_levels();
+    let primitives = if has_levels { Primitives::Triangles } else { Primitives::UnsortedTriangles };
+    write_mesh(&mesh, primitives, path, (&args.format, output))?;
     let report = Report {
         vertex_count: mesh.vertex_count(),
         triangle_count: mesh.triangle_count(),

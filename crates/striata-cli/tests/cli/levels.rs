@@ -5,12 +5,45 @@ use std::collections::BTreeSet;
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::Value;
+use striata::strip::fifo_cache_cost;
 
 use crate::workbench::{Workbench, asset, sphere};
 
 /// Returns the value of a key for each level.
 fn of_levels<'a>(report: &'a Value, key: &str) -> Vec<&'a Value> {
     report["levels"].as_array().expect("a list").iter().map(|level| &level[key]).collect()
+}
+
+#[test]
+fn levels_are_in_cache_order_and_converted_meshes_in_their_own() {
+    let bench = Workbench::new();
+    let sphere = sphere(24, 48);
+    // The last triangle comes first.
+    let (mut faces, others): (Vec<&str>, Vec<&str>) = sphere.lines().partition(|line| line.starts_with("f "));
+    faces.reverse();
+    bench.write("ball.obj", [others, faces].concat().join("\n"));
+    bench.run("convert ball.obj ball.ply --quiet").success();
+    bench.run("build ball.obj -o ball.striata --quiet").success();
+    let read = |name: &str| striata_io::read(bench.path(name)).expect("a mesh");
+    assert_eq!(read("ball.ply").triangles, read("ball.obj").triangles);
+    for (number, verb) in
+        ["simplify ball.obj --ratio 0.5", "extract ball.striata --ratio 0.5", "convert ball.striata"]
+            .into_iter()
+            .enumerate()
+    {
+        for extension in ["ply", "glb", "off"] {
+            let name = format!("{number}.{extension}");
+            bench.run(&format!("{verb} -o {name} --quiet")).success();
+            let mesh = read(&name);
+            let cost = fifo_cache_cost(mesh.triangles.as_flattened(), mesh.triangle_count(), 16);
+            assert!(cost.acmr < 0.8, "{verb} to {extension}: {}", cost.acmr);
+            let mut next = 0;
+            for &v in mesh.triangles.iter().flatten() {
+                assert!(v <= next, "{verb} to {extension}");
+                next = next.max(v + 1);
+            }
+        }
+    }
 }
 
 #[test]

@@ -15,6 +15,7 @@ use super::passes::GltfParts;
 use super::shading::shaded;
 use super::write_layers::{Attributes, attributes};
 use crate::WriteOptions;
+use crate::cache_order::in_cache_order;
 use crate::error::Refusal;
 use crate::gltf_json::extensions_in;
 
@@ -42,6 +43,8 @@ fn document(
 ) -> Result<GltfParts, Refusal> {
     let keeps_vertices = options.strips.is_some() || options.fans.is_some();
     let mesh = if options.shading && !keeps_vertices { &*shaded(mesh) } else { mesh };
+    // Shading divides vertices, so the order comes after it.
+    let mesh = if options.has_cache_order() { &in_cache_order(mesh) } else { mesh };
     let mut builder = Builder::default().with_image_uris(image_uris);
     let mut root = Map::new();
     root.insert("asset".to_owned(), json!({ "version": "2.0", "generator": "striata" }));

@@ -10,6 +10,7 @@ use std::rc::Rc;
 
 use serde_json::{Map, Value, json};
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
+use striata::strip::cache_order;
 
 use super::builder::Builder;
 use super::files::Container;
@@ -20,6 +21,7 @@ use super::references::{entries, has_triangles};
 use super::vertex_pools::{Pool, pools};
 use super::write::insert;
 use super::write_layers::{Attributes, attributes};
+use crate::cache_order::with_triangles_in_cache_order;
 use crate::error::Refusal;
 use crate::{SceneWriter, WriteOptions};
 
@@ -52,7 +54,7 @@ fn document(
     let (views, accessors) = (take("bufferViews"), take("accessors"));
     let builder = Builder::continuing(scene.buffer().to_vec(), views, accessors);
     let mut builder = builder.with_image_uris(image_uris);
-    put_meshes(&mut builder, &mut root, writer)?;
+    put_meshes(&mut builder, &mut root, writer, options.has_cache_order())?;
     for (entry, image) in entries(&mut root, "images").zip(scene.images().iter().enumerate()) {
         builder.image_source(image, entry);
     }
@@ -108,11 +110,11 @@ impl<'m> Written<'m> {
 }
 
 /// Finds vertices that meshes have in common; none if other levels of a mesh refer to its vertices.
-fn pools_of(writer: &SceneWriter<'_>) -> Vec<Pool> {
+fn pools_of(writer: &SceneWriter<'_>, meshes: &[Option<IndexedMesh>]) -> Vec<Pool> {
     if !writer.shared.is_empty() {
         return Vec::new();
     }
-    let meshes = writer.scene.meshes().iter().enumerate();
+    let meshes = meshes.iter().enumerate();
     let shown =
         meshes.filter_map(|(index, mesh)| Some((index, mesh.as_ref().filter(|m| !m.triangles.is_empty())?)));
     let mut known = HashSet::new();
@@ -120,17 +122,59 @@ fn pools_of(writer: &SceneWriter<'_>) -> Vec<Pool> {
     pools(&different)
 }
 
+/// Returns for each triangle primitive of a mesh whether it is blended, with any of its materials, so that the order of
+/// its triangles is the order in which they are drawn over each other.
+fn are_blended(document: &Value, mesh: usize) -> Vec<bool> {
+    let is_blended = |material: &Value| {
+        let material = document.pointer(&format!("/materials/{material}"));
+        material.and_then(|material| material.get("alphaMode")).is_some_and(|mode| mode == "BLEND")
+    };
+    let primitives = document.pointer(&format!("/meshes/{mesh}/primitives")).and_then(Value::as_array);
+    let with_triangles = primitives.into_iter().flatten().filter(|primitive| has_triangles(primitive));
+    let any_is_blended = |primitive: &Value| {
+        let variants =
+            primitive.pointer("/extensions/KHR_materials_variants/mappings").and_then(Value::as_array);
+        let variants = variants.into_iter().flatten().filter_map(|variant| variant.get("material"));
+        primitive.get("material").into_iter().chain(variants).any(is_blended)
+    };
+    with_triangles.map(any_is_blended).collect()
+}
+
+/// Returns the meshes with their triangles in cache order, and their vertices too unless other levels use them.
+fn in_cache_order(writer: &SceneWriter<'_>) -> Vec<Option<IndexedMesh>> {
+    let ordered = |(index, mesh): (usize, &Option<IndexedMesh>)| {
+        let are_blended = are_blended(writer.scene.document(), index);
+        let mesh = with_triangles_in_cache_order(mesh.as_ref()?, |group| are_blended[group]);
+        Some(if writer.shared.is_empty() { mesh.with_vertices_by_first_use() } else { mesh })
+    };
+    writer.scene.meshes().iter().enumerate().map(ordered).collect()
+}
+
+/// Puts the triangles of index lists into cache order.
+fn sort_lists(lists: &mut [Vec<u32>], are_blended: &[bool]) {
+    for (list, _) in lists.iter_mut().zip(are_blended).filter(|&(_, &is_blended)| !is_blended) {
+        let (triangles, _) = list.as_chunks();
+        *list = cache_order(triangles).into_iter().flat_map(|t| triangles[t as usize]).collect();
+    }
+}
+
 /// Adds the triangles of all meshes; first those with vertices of their own.
-fn put_meshes(builder: &mut Builder, root: &mut Value, writer: &SceneWriter<'_>) -> Result<(), Refusal> {
+fn put_meshes(
+    builder: &mut Builder,
+    root: &mut Value,
+    writer: &SceneWriter<'_>,
+    is_sorted: bool,
+) -> Result<(), Refusal> {
+    let meshes = if is_sorted { &in_cache_order(writer)[..] } else { writer.scene.meshes() };
     let mut vertices: BTreeMap<usize, Rc<Attributes>> = BTreeMap::new();
     let mut written = Written::default();
-    let pools = pools_of(writer);
+    let pools = pools_of(writer, meshes);
     let mut pool_of: BTreeMap<usize, (usize, &[u32])> = BTreeMap::new();
     for (number, pool) in pools.iter().enumerate() {
         pool_of.extend(pool.members.iter().map(|(mesh, numbers)| (*mesh, (number, &numbers[..]))));
     }
     let mut pooled: Vec<Option<Rc<Attributes>>> = vec![None; pools.len()];
-    for (index, (entry, mesh)) in entries(root, "meshes").zip(writer.scene.meshes()).enumerate() {
+    for (index, (entry, mesh)) in entries(root, "meshes").zip(meshes).enumerate() {
         let Some(primitives) = primitives_of(entry) else { continue };
         let Some(mesh) = mesh else {
             if !writer.shared.contains_key(&index) && primitives.iter().any(lacks_data) {
@@ -185,11 +229,15 @@ fn put_meshes(builder: &mut Builder, root: &mut Value, writer: &SceneWriter<'_>)
             return Err(Refusal::BadMesh(format!("meshes[{}] shows nothing", shared.vertices_of)));
         };
         if shared.index_lists.iter().all(Vec::is_empty) {
-            let vertices = writer.scene.meshes()[shared.vertices_of].as_ref();
+            let vertices = meshes[shared.vertices_of].as_ref();
             put_nothing(builder, primitives, vertices.unwrap_or(&IndexedMesh::default()))?;
             continue;
         }
-        let indices = builder.push_indices(shared.index_lists.iter().map(Vec::as_slice), vertex_count);
+        let mut lists = shared.index_lists.clone();
+        if is_sorted {
+            sort_lists(&mut lists, &are_blended(writer.scene.document(), index));
+        }
+        let indices = builder.push_indices(lists.iter().map(Vec::as_slice), vertex_count);
         put_primitives(primitives, indices, found);
     }
     Ok(())

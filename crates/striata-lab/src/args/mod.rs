@@ -2,6 +2,7 @@
 
 #[cfg(feature = "gpu")]
 mod bench_gpu;
+mod caches;
 mod compare;
 mod poses;
 
@@ -10,6 +11,7 @@ use striata_command::args::ReportArgs;
 
 #[cfg(feature = "gpu")]
 pub(crate) use self::bench_gpu::BenchGpuArgs;
+pub(crate) use self::caches::CachesArgs;
 pub(crate) use self::compare::{
     AssetArgs, AssetContender, CompareArgs, ModelArgs, Part, RateArgs, StripifierArgs,
 };
@@ -43,6 +45,8 @@ pub(crate) enum Verb {
     Compare(Box<CompareArgs>),
     /// Measure levels of skinned and morphing meshes in the poses of their animations
     Poses(PosesArgs),
+    /// Count vertex cache misses of the triangle lists of files
+    Caches(CachesArgs),
     /// Time different ways of drawing a changing level on the GPU
     #[cfg(feature = "gpu")]
     BenchGpu(BenchGpuArgs),

@@ -4,7 +4,7 @@ use crate::workbench::Workbench;
 
 #[test]
 fn every_verb_ends_with_two_examples() {
-    for verb in ["compare", "poses", "bench-gpu"] {
+    for verb in ["compare", "poses", "caches", "bench-gpu"] {
         if verb == "bench-gpu" && cfg!(not(feature = "gpu")) {
             continue;
         }

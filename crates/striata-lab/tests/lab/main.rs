@@ -4,6 +4,7 @@
 mod ball;
 #[cfg(feature = "gpu")]
 mod bench_gpu;
+mod caches;
 mod compare;
 mod compare_assets;
 mod compare_models;

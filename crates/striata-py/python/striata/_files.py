@@ -108,6 +108,7 @@ def save(
     ...     striata.open(path)
     <striata.Lod: 128 points, 256 faces, ...>
     """
+    is_level = isinstance(model, (Level, SceneLevel))
     if isinstance(model, SceneLevel):
         model = model.to_scene()
     elif _striata.format_of(os.fspath(path)) == "striata" and not isinstance(model, (Mesh, Lod, Level, Scene, LodScene)):
@@ -120,10 +121,12 @@ def save(
     elif isinstance(model, LodScene):
         write_lod_scene(path, model._data, embed=embed, progress=progress)
     elif isinstance(model, Scene):
-        write_scene(path, model._data, embed=embed, progress=progress)
+        write_scene(path, model._data, embed=embed, is_level=is_level, progress=progress)
     else:
         data = model._mesh_data() if isinstance(model, Level) else mesh_data_of(model)
-        write_mesh(path, data, ascii=ascii, embed=embed, shading=shading, progress=progress)
+        write_mesh(
+            path, data, ascii=ascii, embed=embed, shading=shading, is_level=is_level, progress=progress
+        )
 
 
 def convert(source: Path, target: Path, *, ascii: bool = False, progress: Progress = False) -> None:

@@ -93,8 +93,8 @@ class Level(Generic[AnyMesh]):
         return self._mesh().attributes if found is None else self._result(found).attributes
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write the level as a mesh; see `striata.save`."""
-        write_mesh(path, self._mesh_data())
+        """Write the level as a mesh, with its faces in an order for vertex caches; see `striata.save`."""
+        write_mesh(path, self._mesh_data(), is_level=True)
 
     def _mesh(self) -> Mesh:
         return Mesh._of(self._mesh_data())

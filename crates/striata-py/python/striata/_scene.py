@@ -253,8 +253,8 @@ class SceneLevel:
         return Scene._of(self._lods._data.level_scene(self._target))
 
     def save(self, path: str | os.PathLike[str], *, embed: bool = False) -> None:
-        """Write the level as a scene; see `striata.save`."""
-        self.to_scene().save(path, embed=embed)
+        """Write the level as a scene, with its faces in an order for vertex caches; see `striata.save`."""
+        write_scene(path, self.to_scene()._data, embed=embed, is_level=True)
 
     def __repr__(self) -> str:
         return f"<striata.SceneLevel: {counted(self.triangle_count, 'face')}, error {self.error:.3g}>"

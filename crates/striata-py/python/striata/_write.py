@@ -43,9 +43,10 @@ def write_mesh(
     ascii: bool = False,
     embed: bool = False,
     shading: bool = False,
+    is_level: bool = False,
     progress: Progress = False,
 ) -> None:
-    """Write a mesh, in the coordinates of the user."""
+    """Write a mesh, in the coordinates of the user; levels with their faces in an order for vertex caches."""
     file, kind = _file_and_kind(path)
     with reporting(progress) as callback:
         if kind == "striata":
@@ -54,7 +55,8 @@ def write_mesh(
         elif kind == "stri":
             _striata.write_bytes(file, _striata.encode_mesh(data, DEFAULT_QUALITY, callback))
         else:
-            _warn_of(_striata.write_mesh(file, data, {"ascii": ascii, "embed": embed, "shading": shading}))
+            options = {"ascii": ascii, "embed": embed, "shading": shading, "is_level": is_level}
+            _warn_of(_striata.write_mesh(file, data, options))
 
 
 def write_lod(
@@ -76,8 +78,15 @@ def write_lod(
         write_mesh(path, mesh, ascii=ascii, embed=embed, shading=shading, progress=progress)
 
 
-def write_scene(path: Path, data: _striata.SceneData, *, embed: bool = False, progress: Progress = False) -> None:
-    """Write a scene."""
+def write_scene(
+    path: Path,
+    data: _striata.SceneData,
+    *,
+    embed: bool = False,
+    is_level: bool = False,
+    progress: Progress = False,
+) -> None:
+    """Write a scene; levels with their faces in an order for vertex caches."""
     file, kind = _file_and_kind(path)
     with reporting(progress) as callback:
         if kind == "striata":
@@ -86,7 +95,8 @@ def write_scene(path: Path, data: _striata.SceneData, *, embed: bool = False, pr
         elif kind == "stri":
             _striata.write_bytes(file, _striata.encode_scene(data, DEFAULT_QUALITY, DEFAULT_PREVIEW_SIDE, callback))
         else:
-            _warn_of(_striata.write_scene(file, data, {"ascii": False, "embed": embed, "shading": False}))
+            options = {"ascii": False, "embed": embed, "shading": False, "is_level": is_level}
+            _warn_of(_striata.write_scene(file, data, options))
 
 
 def write_lod_scene(

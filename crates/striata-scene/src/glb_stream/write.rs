@@ -60,7 +60,7 @@ impl LodScene {
                 writer = writer.with_attachment(pointer, stream);
             }
         }
-        Ok(writer.to_bytes(Format::Glb, &WriteOptions::default())?)
+        Ok(writer.to_bytes(Format::Glb, &WriteOptions::default().with_cache_order(true))?)
     }
 
     /// Returns the level for a target, refined until each mesh shows at least one triangle, because glTF

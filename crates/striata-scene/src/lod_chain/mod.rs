@@ -89,7 +89,8 @@ struct ChainLevel {
 /// Writes the full scene together with coarser levels, as glTF with the extension `MSFT_lod`.
 ///
 /// The levels may be given in any order; a mesh for which several of them are equal, or equal to the full
-/// mesh, has fewer levels. Viewers without the extension show the full scene. A node that has children, a
+/// mesh, has fewer levels. Triangles are in cache order at each level, whatever the options say. Viewers without the
+/// extension show the full scene. A node that has children, a
 /// camera, a light or an animated transform, or that is a joint, keeps these: its mesh moves to a new child,
 /// because engines replace a node with everything below it.
 ///
@@ -133,7 +134,7 @@ pub fn lod_chain(
     let writer = SceneWriter::new(&scene);
     let writer =
         shared.into_iter().fold(writer, |writer, (mesh, shared)| writer.with_shared_mesh(mesh, shared));
-    writer.encode(options.format, &options.write, path)
+    writer.encode(options.format, &options.write.clone().with_cache_order(true), path)
 }
 
 /// Split counts of the levels of a mesh below the full one, from fine to coarse.

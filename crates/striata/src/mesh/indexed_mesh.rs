@@ -3,7 +3,7 @@
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::Range;
 
-use super::{Appearance, AttributeLayer, Semantic};
+use super::{Appearance, AttributeLayer, Semantic, gather_layers};
 
 /// A run of consecutive triangles that share a material.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -351,10 +351,29 @@ impl IndexedMesh {
         }
         let kept = (0..self.triangles.len() as u32).filter(|&t| is_kept(&self.triangles[t as usize]));
         let kept: Vec<u32> = kept.collect();
-        let triangles = kept.iter().map(|&t| self.triangles[t as usize]).collect();
-        let triangle_layers = self.triangle_layers.iter().map(|layer| layer.gather(&kept)).collect();
-        let kept = Self { triangles, triangle_layers, groups, ..self.clone() };
-        kept.gather(&order, &new_index)
+        Self { groups, ..self.with_triangle_order(&kept) }.gather(&order, &new_index)
+    }
+
+    /// A copy of the mesh whose triangle `i` is triangle `order[i]` of this mesh, with its data. Groups stay as they
+    /// are: an order must move triangles within their groups only.
+    pub fn with_triangle_order(&self, order: &[u32]) -> Self {
+        let triangles = order.iter().map(|&t| self.triangles[t as usize]).collect();
+        Self { triangles, triangle_layers: gather_layers(&self.triangle_layers, order), ..self.clone() }
+    }
+
+    /// A copy of the mesh whose vertices are in the order in which its triangles use them first, so that a GPU reads
+    /// them one after another. Vertices that no triangle uses come last.
+    pub fn with_vertices_by_first_use(&self) -> Self {
+        let (mut order, mut new_index) = (Vec::new(), vec![u32::MAX; self.positions.len()]);
+        let unused = 0..self.positions.len() as u32;
+        for v in self.triangles.iter().flatten().copied().chain(unused) {
+            let slot = &mut new_index[v as usize];
+            if *slot == u32::MAX {
+                *slot = order.len() as u32;
+                order.push(v);
+            }
+        }
+        self.gather(&order, &new_index)
     }
 
     /// A copy of the mesh without the vertices that no triangle uses; the other vertices keep their order.

@@ -100,11 +100,15 @@ pub fn lru_cache_cost(indices: &[u32], triangle_count: usize, cache_size: usize)
 }
 
 /// The vertices in a buffer, without restarts, and a bound above them.
+fn drawn_vertices(indices: &[u32]) -> (Vec<u32>, usize) {
+    ranked(indices.iter().copied().filter(|&v| v != RESTART).collect())
+}
+
+/// Numbers of vertices, and a bound above them.
 ///
 /// If indices are much larger than the length of the buffer, they are replaced by their ranks, so that
 /// tables indexed by vertex never outgrow the buffer.
-fn drawn_vertices(indices: &[u32]) -> (Vec<u32>, usize) {
-    let mut vertices: Vec<u32> = indices.iter().copied().filter(|&v| v != RESTART).collect();
+pub(super) fn ranked(mut vertices: Vec<u32>) -> (Vec<u32>, usize) {
     let limit = vertices.iter().max().map_or(0, |&v| v as usize + 1);
     if limit / 8 <= vertices.len() {
         return (vertices, limit);

@@ -16,6 +16,7 @@
 //! # Ok::<(), striata::mesh::MeshError>(())
 //! ```
 
+mod cache_order;
 mod cost;
 mod greedy;
 mod index_buffer;
@@ -24,6 +25,7 @@ mod seeds;
 mod strip_set;
 mod write;
 
+pub use cache_order::cache_order;
 pub use cost::{CacheCost, StripCost, fifo_cache_cost, lru_cache_cost};
 pub use greedy::{join_greedily, join_greedily_with_progress, stripify};
 pub use index_buffer::{RESTART, StripIndices, restart_triangles_into, stitch};

@@ -109,7 +109,7 @@ pub(super) fn write_meshes(
         let split_count = split_count_at(built, share);
         built.lod_strips().move_to(&mut state, split_count);
         let mesh = file.level_of(built.lod_strips(), &state)?;
-        let mut options = WriteOptions::default();
+        let mut options = WriteOptions::default().with_cache_order(true);
         if as_strips {
             options = options.with_strips(stitched(&strips_of_level(built.lod_strips(), &state)));
         }

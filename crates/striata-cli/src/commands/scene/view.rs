@@ -64,7 +64,7 @@ pub(super) fn extract_view(
         limit.and_then(|limit| shortfall(Target::Triangles(limit), reached, &CoarseningLimit::File));
     check_strict(args.strict, None, shortfall.as_deref())?;
     let scene = with_textures(scene, args.textures.options().as_ref(), output)?;
-    write_scene(&scene, path, &args.output.format, output)?;
+    write_scene(&scene, true, path, (&args.output.format, output))?;
     let level = LevelReport {
         level: None,
         path: display_name(path),
