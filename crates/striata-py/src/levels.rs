@@ -108,7 +108,7 @@ impl Levels {
                 let split_count = split_count.min(self.sequence().step_count());
                 replay(&built.refinable, split_count).without_unused_vertices()
             }
-            Shared::Opened(lod) => lod.level(Target::SplitCount(split_count)).to_mesh(),
+            Shared::Opened(lod) => lod.level_mesh(Target::SplitCount(split_count)),
         }
     }
 

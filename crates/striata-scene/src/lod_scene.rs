@@ -191,7 +191,7 @@ impl LodScene {
     pub fn level_meshes(&self, level: &SceneLevel) -> Vec<Option<IndexedMesh>> {
         let split_count = |mesh: usize| level.split_counts.get(mesh).copied().unwrap_or(usize::MAX);
         let lods = self.lods().iter().enumerate();
-        let level_of = |mesh: usize, lod: &Lod| lod.level(Target::SplitCount(split_count(mesh))).to_mesh();
+        let level_of = |mesh: usize, lod: &Lod| lod.level_mesh(Target::SplitCount(split_count(mesh)));
         lods.map(|(mesh, lod)| Some(level_of(mesh, lod.as_ref()?))).collect()
     }
 

@@ -71,11 +71,9 @@ impl<'s> MeshSimplifier<'s> {
             deformation.finish_with_progress(refinable, &mut stage(progress, (stages - 1, stages)))?;
         let first = first_level(&refinable, &sequence);
         let refinable = if first > 0 { refinable.without_levels_below(first) } else { refinable };
-        let mut finished = |_| progress(Progress { phase: "poses", done: 1, total: 1 });
-        Ok(if options.has_guaranteed_errors {
-            Lod::from_certified_with_progress(refinable, &mut finished)?
-        } else {
-            Lod::from_refinable_with_progress(refinable, &mut finished)?
+        Ok(match options.has_guaranteed_errors {
+            true => Lod::from_certified(refinable),
+            false => Lod::from_refinable(refinable),
         })
     }
 

@@ -78,7 +78,7 @@ impl LodScene {
         {
             return refined(lod, inside);
         }
-        lod.level(Target::SplitCount(uniform_level(lod, &instances, error))).to_mesh()
+        lod.level_mesh(Target::SplitCount(uniform_level(lod, &instances, error)))
     }
 }
 

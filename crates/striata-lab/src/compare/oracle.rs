@@ -39,7 +39,7 @@ pub(super) fn check(models: &mut [Checked<'_>], refinable: &RefinableMesh) -> Re
 
 fn at(refinable: &RefinableMesh, split_count: usize) -> Vec<[u32; 3]> {
     let mut triangles = Vec::new();
-    replay_into(refinable, split_count, &refinable.mesh.triangles, &mut triangles);
+    replay_into(&refinable.sequence, split_count, &refinable.mesh.triangles, &mut triangles);
     canonical_triangles(&triangles)
 }
 

@@ -52,7 +52,7 @@ pub(super) struct Distances {
 /// Measures the distance of each vertex of the full mesh from a level in the same pose.
 pub(super) fn distances(refinable: &RefinableMesh, split_count: usize, posed: &[PosedMesh]) -> Distances {
     let mut triangles = Vec::new();
-    replay_into(refinable, split_count, &refinable.mesh.triangles, &mut triangles);
+    replay_into(&refinable.sequence, split_count, &refinable.mesh.triangles, &mut triangles);
     let (mut sum, mut count, mut max) = (0.0, 0usize, 0.0f64);
     for PosedMesh { positions, scale } in posed {
         let level = IndexedMesh::new(positions.clone(), triangles.clone());

@@ -8,6 +8,9 @@
 //! moves its star by that error as a whole, such as a part that vanishes; `A` is then at least the area of the original
 //! surface that `p` stands for.
 //!
+//! Single steps do not show how their errors add up. So some levels are measured from vertices of the full mesh, and
+//! the distances of the steps between two of them get the factor that makes their sum the difference.
+//!
 //! ```text
 //!   summed error            x   one step: not convex, if a large part must go early
 //!        |          x - x       the hull takes the steps from x to the end as one run
@@ -20,12 +23,18 @@
 //! rise, so that always taking the cheapest run of all meshes gives the least summed error for any number of
 //! triangles (Everett 1963, Lagrange multipliers for the optimum allocation of resources).
 
-use glam::Vec3;
+use glam::DVec3;
 use striata::Lod;
-use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
+use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, canonical_triangles};
 use striata::simplify::AttributeWeights;
 
+use crate::level_walk::{LevelWalk, nearest_shares, point_at};
+
 const NONE: u32 = u32::MAX;
+/// Ratio of the steps of one measured level to those of the next finer one.
+const LEVEL_RATIO: f64 = 0.5;
+/// Number of vertices that are measured in a level, evenly spread over those that it lacks.
+const MAX_SAMPLES: usize = 1024;
 
 /// Attributes of a mesh as lengths: a difference counts like a distance.
 struct Lengths<'m> {
@@ -49,13 +58,13 @@ impl<'m> Lengths<'m> {
     }
 
     /// Squared length of the difference between a vertex and a point of a triangle.
-    fn squared(&self, vertex: u32, corners: [u32; 3], at: Vec3) -> f64 {
+    fn squared(&self, vertex: u32, corners: [u32; 3], [x, y]: [f64; 2]) -> f64 {
         let mut sum = 0.0;
         for (layer, length) in &self.layers {
             for component in 0..layer.component_count as usize {
-                let value = |v: u32| layer.get(v as usize, component);
-                let on_triangle: f32 = corners.iter().zip(at.to_array()).map(|(&v, w)| w * value(v)).sum();
-                let difference = f64::from(value(vertex) - on_triangle) * length;
+                let value = |v: u32| f64::from(layer.get(v as usize, component));
+                let [a, b, c] = corners.map(value);
+                let difference = (value(vertex) - (a + x * (b - a) + y * (c - a))) * length;
                 sum += difference * difference;
             }
         }
@@ -73,9 +82,9 @@ struct Stars {
 }
 
 impl Stars {
-    fn new(lod: &Lod) -> Self {
+    fn new(lod: &Lod, triangles: &[[u32; 3]]) -> Self {
         let positions = lod.sequence().positions();
-        let corners = in_order(&lod.mesh().triangles);
+        let corners = triangles.to_vec();
         let position_count = positions.position_count();
         let mut position_of = vec![0; positions.vertex_count()];
         for position in 0..position_count as u32 {
@@ -123,45 +132,88 @@ impl Stars {
     }
 }
 
-/// Returns triangles in an order that does not depend on theirs: files may store them in another one, and sums that
-/// differ in the last digit would decide between steps that are equal.
-fn in_order(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
-    let turned =
-        |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]].into_iter().min().unwrap_or([a, b, c]);
-    let mut triangles: Vec<[u32; 3]> = triangles.iter().map(turned).collect();
-    triangles.sort_unstable();
-    triangles
-}
-
 /// Returns the squared error of each step, from the full mesh to the base, in mesh units to the fourth power.
 pub(super) fn step_errors(lod: &Lod, diagonal: f64) -> Vec<f64> {
+    // Sums must not depend on the order of the triangles, which files may change: their last digits would decide between
+    // steps that are equal.
+    let triangles = canonical_triangles(&lod.mesh().triangles);
+    let mut errors = single_errors(lod, &triangles, diagonal);
+    let (mut finer, mut before) = (lod.step_count(), 0.0);
+    for (split_count, sum) in measured_sums(lod, &triangles) {
+        let steps = &mut errors[lod.step_count() - finer..lod.step_count() - split_count];
+        // A level that is better than a finer one adds nothing.
+        let added = (sum - before).max(0.0);
+        let single: f64 = steps.iter().map(|[distance, _]| distance).sum();
+        match added / single {
+            factor if factor.is_finite() => steps.iter_mut().for_each(|[distance, _]| *distance *= factor),
+            _ => {
+                let share = added / steps.len() as f64;
+                steps.iter_mut().for_each(|[distance, _]| *distance = share);
+            }
+        }
+        (finer, before) = (split_count, before.max(sum));
+    }
+    errors.into_iter().map(|[distance, attributes]| distance + attributes).collect()
+}
+
+/// Returns the squared distances of some levels, from fine to coarse, each with its split count.
+fn measured_sums(lod: &Lod, triangles: &[[u32; 3]]) -> Vec<(usize, f64)> {
+    let (mesh, sequence) = (lod.mesh(), lod.sequence());
+    let mut areas = vec![0.0; mesh.vertex_count()];
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|v| DVec3::from_array(mesh.positions[v as usize].map(f64::from)));
+        let third = (b - a).cross(c - a).length() / 6.0;
+        triangle.iter().for_each(|&v| areas[v as usize] += third);
+    }
+    let mut walk = LevelWalk::default();
+    let mut finer = triangles.to_vec();
+    let mut sums = Vec::new();
+    let mut split_count = lod.step_count();
+    while split_count > 0 {
+        split_count = (split_count as f64 * LEVEL_RATIO) as usize;
+        walk.move_to(&finer, sequence, split_count);
+        finer.clone_from(&walk.triangles);
+        let farthest = f64::from(sequence.error_at(split_count)).powi(2);
+        let removed = sequence.vertex_count_at(split_count)..mesh.vertex_count();
+        let stride = removed.len().div_ceil(MAX_SAMPLES).max(1);
+        let samples = removed.step_by(stride).map(|vertex| {
+            let squared = walk.nearest(&mesh.positions, (vertex as u32, 0.0)).unwrap_or(farthest);
+            squared * areas[vertex]
+        });
+        sums.push((split_count, samples.sum::<f64>() * stride as f64));
+    }
+    sums
+}
+
+/// Returns the squared error of each step by itself, as the sequence shows it: of distances and of attributes.
+fn single_errors(lod: &Lod, triangles: &[[u32; 3]], diagonal: f64) -> Vec<[f64; 2]> {
     let (mesh, sequence) = (lod.mesh(), lod.sequence());
     let lengths = Lengths::of(mesh, diagonal);
-    let mut stars = Stars::new(lod);
+    let mut stars = Stars::new(lod, triangles);
     let mut star = Vec::new();
-    let point = |vertex: u32| Vec3::from(mesh.positions[vertex as usize]);
+    let point = |vertex: u32| DVec3::from_array(mesh.positions[vertex as usize].map(f64::from));
     // Area of the original surface that each position stands for.
     let mut areas = vec![0.0; sequence.positions().position_count()];
-    for triangle in &stars.corners {
+    for triangle in triangles {
         let [a, b, c] = triangle.map(point);
-        let third = f64::from((b - a).cross(c - a).length()) / 6.0;
+        let third = (b - a).cross(c - a).length() / 6.0;
         triangle.iter().for_each(|&v| areas[stars.position_of[v as usize] as usize] += third);
     }
     let mut errors = Vec::with_capacity(sequence.step_count());
     for step in (0..sequence.step_count()).rev() {
         let vertices = sequence.step_vertices(step);
         let Some(first) = vertices.clone().next() else {
-            errors.push(0.0);
+            errors.push([0.0; 2]);
             continue;
         };
         let (removed, target) = (stars.position_of[first as usize], sequence.target(first));
         stars.take(removed, &mut star);
         let from = point(first);
-        let (mut area, mut nearest) = (0.0, f64::INFINITY);
+        let (mut area, mut nearest) = (0.0, [f64::INFINITY, 0.0]);
         for &corner in &star {
             let triangle = stars.corners[corner as usize / 3];
             let [a, b, c] = triangle.map(point);
-            area += 0.5 * f64::from((b - a).cross(c - a).length());
+            area += 0.5 * (b - a).cross(c - a).length();
         }
         let target_position = stars.position_of[target as usize];
         for &corner in &star {
@@ -174,61 +226,27 @@ pub(super) fn step_errors(lod: &Lod, diagonal: f64) -> Vec<f64> {
             if p == q || q == r || r == p {
                 continue;
             }
-            let weights = nearest_point(from, corners.map(point));
-            let on_triangle: Vec3 = corners.iter().zip(weights.to_array()).map(|(&v, w)| w * point(v)).sum();
-            let squared = f64::from(from.distance_squared(on_triangle));
-            nearest = nearest.min(squared + lengths.squared(vertex, corners, weights));
+            let triangle = corners.map(point);
+            let shares = nearest_shares(from, triangle);
+            let found =
+                [from.distance_squared(point_at(triangle, shares)), lengths.squared(vertex, corners, shares)];
+            if found[0] + found[1] < nearest[0] + nearest[1] {
+                nearest = found;
+            }
         }
-        if nearest == f64::INFINITY {
-            nearest = f64::from(from.distance_squared(point(target)));
+        if nearest[0] == f64::INFINITY {
+            nearest[0] = from.distance_squared(point(target));
         }
         // An error that no step before had counts over the whole star.
         let [before, after] = [step + 1, step].map(|split_count| f64::from(sequence.error_at(split_count)));
         if after > before {
-            nearest = nearest.max(6.0 * after * after);
+            nearest[0] = nearest[0].max(6.0 * after * after);
         }
         let own = std::mem::take(&mut areas[removed as usize]);
         areas[target_position as usize] += own;
-        errors.push(area.max(3.0 * own) * nearest / 6.0);
+        errors.push(nearest.map(|squared| area.max(3.0 * own) * squared / 6.0));
     }
     errors
-}
-
-/// Returns the point of a triangle that is nearest to another point, as weights of the corners (Ericson 2004,
-/// Real-Time Collision Detection, 5.1.5).
-fn nearest_point(p: Vec3, [a, b, c]: [Vec3; 3]) -> Vec3 {
-    let (ab, ac, ap) = (b - a, c - a, p - a);
-    let (d1, d2) = (ab.dot(ap), ac.dot(ap));
-    if d1 <= 0.0 && d2 <= 0.0 {
-        return Vec3::X;
-    }
-    let bp = p - b;
-    let (d3, d4) = (ab.dot(bp), ac.dot(bp));
-    if d3 >= 0.0 && d4 <= d3 {
-        return Vec3::Y;
-    }
-    let vc = d1 * d4 - d3 * d2;
-    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
-        let v = d1 / (d1 - d3);
-        return Vec3::new(1.0 - v, v, 0.0);
-    }
-    let cp = p - c;
-    let (d5, d6) = (ab.dot(cp), ac.dot(cp));
-    if d6 >= 0.0 && d5 <= d6 {
-        return Vec3::Z;
-    }
-    let vb = d5 * d2 - d1 * d6;
-    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
-        let w = d2 / (d2 - d6);
-        return Vec3::new(1.0 - w, 0.0, w);
-    }
-    let va = d3 * d6 - d5 * d4;
-    if va <= 0.0 && d4 >= d3 && d5 >= d6 {
-        let w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-        return Vec3::new(0.0, 1.0 - w, w);
-    }
-    let sum = va + vb + vc;
-    Vec3::new(va / sum, vb / sum, vc / sum)
 }
 
 /// Returns for each step, from the full mesh to the base, the price of its run on the lower convex hull of summed
@@ -279,22 +297,5 @@ mod tests {
         let half = errors.len() / 2;
         let [fine, coarse] = [&errors[..half], &errors[half..]].map(|half| half.iter().sum::<f64>());
         assert!(fine > 0.0 && coarse > 4.0 * fine, "{fine} {coarse}");
-    }
-
-    #[test]
-    fn nearest_points_of_a_triangle() {
-        let triangle = [Vec3::ZERO, Vec3::X, Vec3::Y];
-        for (from, expected) in [
-            ([0.25, 0.25, 3.0], [0.5, 0.25, 0.25]),
-            ([-1.0, -1.0, 0.0], [1.0, 0.0, 0.0]),
-            ([3.0, 0.0, 1.0], [0.0, 1.0, 0.0]),
-            ([0.0, 3.0, 1.0], [0.0, 0.0, 1.0]),
-            ([0.5, -2.0, 0.0], [0.5, 0.5, 0.0]),
-            ([-2.0, 0.5, 0.0], [0.5, 0.0, 0.5]),
-            ([1.0, 1.0, 0.0], [0.0, 0.5, 0.5]),
-        ] {
-            let found = nearest_point(Vec3::from(from), triangle);
-            assert!(found.distance(Vec3::from(expected)) < 1e-6, "{from:?}: {found}");
-        }
     }
 }

@@ -80,6 +80,10 @@ impl SceneLevels {
     /// [`new`](Self::new) otherwise. `diagonal` is that of the scene, against which attributes are weighed.
     pub fn of_lods(lods: &[Option<Lod>], weights: &[MeshWeight], diagonal: f64) -> Self {
         let levels: Vec<_> = lods.iter().map(|lod| Some(lod.as_ref()?.sequence().levels())).collect();
+        if levels.iter().flatten().count() <= 1 {
+            // Any priority that rises gives the order of a single mesh.
+            return Self::new(&levels, weights);
+        }
         Self::merged(&levels, weights, |mesh, scale| {
             let Some(lod) = &lods[mesh] else { return Vec::new() };
             let errors = curve::step_errors(lod, diagonal / scale);

@@ -39,16 +39,17 @@ use std::sync::Arc;
 
 use self::tables::Tables;
 use crate::file::{DecodeError, StriataFile};
-use crate::mesh::{CollapseSequence, IndexedMesh, RefinableMesh};
+use crate::mesh::{CollapseSequence, IndexedMesh, RefinableMesh, replay};
 use crate::simplify::{
     SimplifyError, Target, build_sequence_with_progress, certify_collapses_in_any_state_with_progress,
 };
-use crate::{Cancelled, Progress, ProgressFn, ignore_progress};
+use crate::{Cancelled, ProgressFn, ignore_progress};
 
 /// Every level of detail of one mesh: the vertices in refinement order, the collapse sequence, and the
 /// tables that turn any level or view into triangles.
 ///
-/// A `Lod` is immutable, and its clones share their data. Memory: the mesh plus about 40 bytes per vertex.
+/// A `Lod` is immutable, and its clones share their data. The fans are built for the first level or view;
+/// [`level_mesh`](Self::level_mesh) does without them. Memory: the mesh plus about 40 bytes per vertex.
 #[derive(Clone, Debug)]
 pub struct Lod {
     tables: Arc<Tables>,
@@ -63,8 +64,7 @@ impl Lod {
         Self::build_with_progress(mesh, options, &mut ignore_progress)
     }
 
-    /// Builds the levels like [`build`](Self::build) and reports progress; the callback can cancel. The fans,
-    /// which are built last, have no phase of their own.
+    /// Builds the levels like [`build`](Self::build) and reports progress; the callback can cancel.
     ///
     /// # Errors
     /// [`SimplifyError`] under the conditions of [`build`](Self::build), or if the callback cancels.
@@ -75,12 +75,10 @@ impl Lod {
     ) -> Result<Self, SimplifyError> {
         let built = build_sequence_with_progress(mesh, &options.sequence, progress)?;
         if !options.has_guaranteed_errors {
-            let mut finished = |_| progress(Progress { phase: "simplify", done: 1, total: 1 });
-            return Ok(Self::from_refinable_with_progress(built.refinable, &mut finished)?);
+            return Ok(Self::from_refinable(built.refinable));
         }
         let certified = certify_collapses_in_any_state_with_progress(&built.refinable, progress)?;
-        let mut finished = |_| progress(Progress { phase: "certify", done: 1, total: 1 });
-        Ok(Self::from_certified_with_progress(certified, &mut finished)?)
+        Ok(Self::from_certified(certified))
     }
 
     /// Wraps a mesh that already has a collapse sequence, such as a decoded stream; its errors count as
@@ -89,7 +87,8 @@ impl Lod {
         Self { tables: Arc::new(Tables::new(refinable, false)) }
     }
 
-    /// Wraps a mesh like [`from_refinable`](Self::from_refinable) and reports progress; the callback can cancel.
+    /// Wraps a mesh like [`from_refinable`](Self::from_refinable), but builds its fans now. Reports progress; the
+    /// callback can cancel.
     ///
     /// # Errors
     /// [`Cancelled`] if the callback cancels.
@@ -115,7 +114,8 @@ impl Lod {
         Self { tables: Arc::new(Tables::new(refinable, true)) }
     }
 
-    /// Wraps a mesh like [`from_certified`](Self::from_certified) and reports progress; the callback can cancel.
+    /// Wraps a mesh like [`from_certified`](Self::from_certified), but builds its fans now. Reports progress; the
+    /// callback can cancel.
     ///
     /// # Errors
     /// [`Cancelled`] if the callback cancels.
@@ -128,7 +128,7 @@ impl Lod {
 
     /// Reads the levels from a `.striata` file.
     ///
-    /// The fans are read from the file if it contains them, and rebuilt otherwise.
+    /// The fans are read from the file if it contains them.
     ///
     /// # Errors
     /// [`DecodeError`] if the file is damaged, or [`DecodeError::NoCollapses`] if it was made by vertex
@@ -182,6 +182,14 @@ impl Lod {
         let mut level = Level::empty(Arc::clone(&self.tables));
         level.move_to(target);
         level
+    }
+
+    /// Copies the level that [`level`](Self::level) selects into a separate mesh for export, with only the vertices that
+    /// its triangles use and all of their attributes.
+    pub fn level_mesh(&self, target: Target) -> IndexedMesh {
+        let refinable = self.tables.refinable();
+        let (split_count, _) = target.resolve(&refinable.sequence);
+        replay(refinable, split_count).without_unused_vertices()
     }
 
     /// Creates an instance that follows a camera. It shows the base mesh until its first update; any number

@@ -98,6 +98,16 @@ fn inconsistent_meshes_are_rejected() {
 }
 
 #[test]
+fn meshes_of_levels_need_no_fans() {
+    let lod = Lod::build(&shapes::terrain(20, 1), &LodOptions::default()).unwrap();
+    for target in [Target::Triangles(0), Target::Triangles(300), Target::Detail(0.5), Target::Error(0.0)] {
+        let mesh = lod.level_mesh(target);
+        let level = lod.level(target);
+        assert_eq!((&mesh, mesh.triangle_count()), (&level.to_mesh(), level.triangle_count()), "{target:?}");
+    }
+}
+
+#[test]
 fn the_callback_can_cancel() {
     let mesh = shapes::terrain(100, 1);
     let cancelled = Lod::build_with_progress(&mesh, &LodOptions::default(), &mut |_| ControlFlow::Break(()));

@@ -3,7 +3,7 @@
 //! Every model must show the same oriented triangles as [`replay`] at every split count. This code is
 //! deliberately simple and slow, so that it is easy to see that it is right.
 
-use super::{AttributeLayer, IndexedMesh, RefinableMesh, TriangleGroup, gather_layers};
+use super::{AttributeLayer, CollapseSequence, IndexedMesh, RefinableMesh, TriangleGroup, gather_layers};
 
 /// Extracts the level of `refinable` after `split_count` vertex splits as a separate mesh.
 ///
@@ -27,12 +27,12 @@ pub fn replay(refinable: &RefinableMesh, split_count: usize) -> IndexedMesh {
         appearance: full.appearance.clone(),
     };
     if full.groups.is_empty() {
-        replay_into(refinable, split_count, &full.triangles, &mut level.triangles);
+        replay_into(&refinable.sequence, split_count, &full.triangles, &mut level.triangles);
         return level;
     }
     for group in &full.groups {
         let first = level.triangles.len() as u32;
-        replay_into(refinable, split_count, &full.triangles[group.range()], &mut level.triangles);
+        replay_into(&refinable.sequence, split_count, &full.triangles[group.range()], &mut level.triangles);
         level.groups.push(TriangleGroup {
             first,
             count: level.triangles.len() as u32 - first,
@@ -62,12 +62,11 @@ fn replay_triangle_layers(refinable: &RefinableMesh, split_count: usize) -> Vec<
 /// # Panics
 /// If `split_count` exceeds the step count.
 pub fn replay_into(
-    refinable: &RefinableMesh,
+    sequence: &CollapseSequence,
     split_count: usize,
     triangles: &[[u32; 3]],
     out: &mut Vec<[u32; 3]>,
 ) {
-    let sequence = &refinable.sequence;
     let vertex_count = sequence.vertex_count_at(split_count) as u32;
     let substitute = |mut v: u32| {
         while v >= vertex_count {
