@@ -171,7 +171,8 @@ impl CheckedGlb {
             let offset = offset.unwrap_or(0);
             let begin = number(view, "byteOffset").unwrap_or(0);
             let stride = number(view, "byteStride").unwrap_or(size * width);
-            let is_aligned = offset % size == 0 && (offset + begin).is_multiple_of(size) && stride.is_multiple_of(size);
+            let is_aligned =
+                offset % size == 0 && (offset + begin).is_multiple_of(size) && stride.is_multiple_of(size);
             let is_long_enough = stride >= size * width;
             self.require(is_aligned && is_long_enough, || format!("{place} is not aligned: {accessor}"));
         }
@@ -303,7 +304,9 @@ impl CheckedGlb {
         };
         self.require(largest < restart, || format!("{place}: {largest} restarts the primitive"));
         let mode = primitive.get("mode").map_or(Some(4), Value::as_u64);
-        self.require(mode != Some(4) || elements.len().is_multiple_of(3), || format!("{place}: no whole triangles"));
+        self.require(mode != Some(4) || elements.len().is_multiple_of(3), || {
+            format!("{place}: no whole triangles")
+        });
     }
 
     fn check_vertex_alignment(&mut self, reference: &Value, place: &str) {
@@ -315,7 +318,9 @@ impl CheckedGlb {
         let (size, width) = size_and_width(accessor);
         let stride = number(view, "byteStride").unwrap_or(size * width);
         let offset = number(accessor, "byteOffset").unwrap_or(0);
-        self.require(offset.is_multiple_of(4) && stride.is_multiple_of(4), || format!("{place} is not aligned to four bytes"));
+        self.require(offset.is_multiple_of(4) && stride.is_multiple_of(4), || {
+            format!("{place} is not aligned to four bytes")
+        });
     }
 
     fn check_lengths(&mut self, of_semantic: &BTreeMap<String, Elements>, place: &str) {
