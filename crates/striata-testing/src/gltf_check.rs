@@ -545,7 +545,7 @@ fn number(value: &Value, key: &str) -> Option<usize> {
     value.get(key)?.as_u64().and_then(|number| usize::try_from(number).ok())
 }
 
-/// Whether a reference is missing, or refers to one of so many entries.
+/// Whether a reference is absent or below the number of entries.
 fn refers_below(reference: Option<&Value>, count: usize) -> bool {
     reference.is_none_or(|reference| reference.as_u64().is_some_and(|index| (index as usize) < count))
 }

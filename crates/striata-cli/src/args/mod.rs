@@ -146,7 +146,7 @@ pub(crate) struct BuildArgs {
     /// Store an error for each overlap of patterns, which views and boxes then evaluate
     #[arg(long)]
     pub(crate) overlap_errors: bool,
-    /// Where the base mesh ends.
+    /// Limits of the base mesh.
     #[command(flatten)]
     pub(crate) limits: BaseArgs,
     /// How the mesh is simplified.

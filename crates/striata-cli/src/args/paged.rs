@@ -98,7 +98,7 @@ pub(crate) struct PlanArgs {
     /// Simulate the build on these numbers of workers, each with one core
     #[arg(long, value_name = "N,...", value_delimiter = ',', default_values_t = [1usize, 16, 256])]
     pub(crate) workers: Vec<usize>,
-    /// Where the base mesh ends.
+    /// Limits of the base mesh.
     #[command(flatten)]
     pub(crate) limits: BaseArgs,
     /// How cells and positions are chosen.
