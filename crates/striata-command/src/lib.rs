@@ -2,7 +2,7 @@
 //!
 //! In reading order: [`args`] are the flags; [`failure`], [`output`] and [`clock`] report results, errors and
 //! times; [`input`], [`shapes`], [`scene`] and [`save`] read and write meshes and scenes; [`sequence`],
-//! [`texture_contrast`], [`strip_chain`], [`strip_report`], [`fan_cover`], [`stream`] and [`level`] carry out
+//! [`strip_chain`], [`strip_report`], [`fan_cover`], [`stream`] and [`level`] carry out
 //! what the flags ask for; [`page`] formats reports as HTML.
 //!
 //! Data goes to stdout; progress and messages go to stderr. Exit codes: 0 is success, 1 an error that the
@@ -25,7 +25,6 @@ pub mod shapes;
 pub mod stream;
 pub mod strip_chain;
 pub mod strip_report;
-pub mod texture_contrast;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;

@@ -18,7 +18,6 @@ use crate::input::Input;
 use crate::level::FullMesh;
 use crate::output::{Output, format_bytes, format_count, format_noun_count};
 use crate::sequence::{ErrorGuarantee, Limits, SequencePlan};
-use crate::texture_contrast::texture_contrasts;
 
 /// How an input stores a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -231,10 +230,9 @@ pub fn build_scene(
     input: &Input,
     scene: &Scene,
     (args, limits): (&SequenceArgs, Limits),
-    output: &Output,
     progress: &mut ProgressFn<'_>,
 ) -> Result<LodScene, Failure> {
-    let options = args.scene_options(scene, limits.max_error.is_some(), output)?;
+    let options = args.scene_options(scene, limits.max_error.is_some())?;
     let failed = |error: BuildError| Failure::user(format!("{}: {error}", input.name));
     let lods = LodScene::build_with_progress(scene, &options, progress).map_err(failed)?;
     let lods = match limits.max_error {
@@ -248,12 +246,12 @@ pub fn build_scene(
 }
 
 impl SequenceArgs {
-    /// Returns the options for the levels of a scene; warns if a flag has no effect on it.
+    /// Returns the options for the levels of a scene.
     ///
     /// # Errors
     /// If a flag is for one mesh only, or belongs to the other order.
-    fn scene_options(&self, scene: &Scene, has_limit: bool, output: &Output) -> Result<LodOptions, Failure> {
-        let SequencePlan::Quadric { mut options, guarantee, .. } =
+    fn scene_options(&self, scene: &Scene, has_limit: bool) -> Result<LodOptions, Failure> {
+        let SequencePlan::Quadric { options, guarantee, .. } =
             self.plan(scene.diagonal(), Limits::default())?
         else {
             let flag = match self.new_vertices {
@@ -263,9 +261,6 @@ impl SequenceArgs {
             return Err(Failure::user(format!("{flag} is for one mesh, not for a scene"))
                 .with_hint(format!("add --flat to treat the scene as one mesh, or remove {flag}")));
         };
-        if self.weights.uv_contrast {
-            options.texcoord_factors = texture_factors(&appearance_of(scene), output);
-        }
         let is_guaranteed = guarantee != ErrorGuarantee::None || has_limit;
         Ok(LodOptions::default().with_sequence(options).with_guaranteed_errors(is_guaranteed))
     }
@@ -277,15 +272,6 @@ pub(crate) fn texcoord_scales(appearance: &Appearance) -> Vec<[f32; 2]> {
         serde_json::from_str(&material.gltf_json).map_or([1.0; 2], |json| texcoord_scale(&json))
     };
     appearance.materials.iter().map(scale).collect()
-}
-
-/// Returns the factors of texture coordinates for each material; warns if there is no texture.
-pub(crate) fn texture_factors(appearance: &Appearance, output: &Output) -> Vec<f32> {
-    let contrasts = texture_contrasts(appearance);
-    if contrasts.iter().all(Option::is_none) {
-        output.say("warning: --uv-contrast has no effect: no material has a readable base color texture");
-    }
-    contrasts.into_iter().map(|contrast| contrast.unwrap_or(1.0)).collect()
 }
 
 /// Returns the materials, textures and images of a scene, as a mesh has them.

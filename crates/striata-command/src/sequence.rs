@@ -12,11 +12,12 @@ use striata::simplify::{
     build_welded_placed_fragments_with_progress, build_welded_sequence_with_progress,
     certify_collapses_in_any_state_with_progress, certify_collapses_with_progress, certify_with_progress,
 };
+use striata_scene::drawn::base_colors_of_mesh;
 
 use crate::args::{CostArg, Length, OrderArg, RetriangulationArg, SequenceArgs};
 use crate::failure::Failure;
 use crate::output::Output;
-use crate::scene::{texcoord_scales, texture_factors};
+use crate::scene::texcoord_scales;
 
 /// How a mesh is simplified.
 #[derive(Clone, Debug)]
@@ -284,21 +285,16 @@ fn certified(
 }
 
 impl SequenceArgs {
-    /// Returns the plan for a mesh; warns if a flag has no effect on it.
+    /// Returns the plan for a mesh.
     ///
     /// # Errors
     /// If a flag belongs to the other order.
-    pub fn plan_for(
-        &self,
-        mesh: &IndexedMesh,
-        limits: Limits,
-        output: &Output,
-    ) -> Result<SequencePlan, Failure> {
+    pub fn plan_for(&self, mesh: &IndexedMesh, limits: Limits) -> Result<SequencePlan, Failure> {
         let mut plan = self.plan(mesh.diagonal(), limits)?;
         if let SequencePlan::Quadric { options, .. } = &mut plan {
             options.texcoord_scales = texcoord_scales(&mesh.appearance);
-            if self.weights.uv_contrast {
-                options.texcoord_factors = texture_factors(&mesh.appearance, output);
+            if options.attribute_weights.texcoord > 0.0 {
+                options.base_colors = base_colors_of_mesh(mesh);
             }
         }
         Ok(plan)

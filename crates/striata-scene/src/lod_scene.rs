@@ -49,8 +49,7 @@ impl LodScene {
     /// Builds the levels of all meshes of a scene.
     ///
     /// Lengths in the options are in units of the scene: for each mesh, they are divided by the largest
-    /// scale of its instances. `texcoord_factors` is indexed by the materials of the document.
-    /// `base_triangle_count` applies to each mesh; `locked_vertices` must be empty.
+    /// scale of its instances. `base_triangle_count` applies to each mesh; `locked_vertices` must be empty.
     ///
     /// Meshes with skins or morph targets are simplified for the poses of the scene's animations as well: see
     /// [`Deformation`](crate::Deformation). Their errors are at least the distances measured in these poses.

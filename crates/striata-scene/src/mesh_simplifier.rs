@@ -1,12 +1,13 @@
 //! Simplification of the meshes of a scene: the one path of levels, files and streams.
 
+use std::cell::OnceCell;
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
 
 use serde_json::Value;
 use striata::mesh::{IndexedMesh, RefinableMesh};
 use striata::simplify::{
-    BatchOptions, BuiltBatches, SequenceOptions, SimplifyError, build_batches_with_progress,
+    BaseColor, BatchOptions, BuiltBatches, SequenceOptions, SimplifyError, build_batches_with_progress,
     build_sequence_with_progress, certify_collapses_in_any_state_with_progress,
 };
 use striata::{Lod, LodOptions, Progress, ProgressFn};
@@ -22,11 +23,14 @@ pub(crate) struct MeshSimplifier<'s> {
     weights: Vec<MeshWeight>,
     /// Absent if skins or animations cannot be read.
     poses: Option<ScenePoses>,
+    /// Base colors of the document's materials, decoded when the first mesh needs them.
+    base_colors: OnceCell<Vec<Option<BaseColor>>>,
 }
 
 impl<'s> MeshSimplifier<'s> {
     pub(crate) fn new(scene: &'s Scene) -> Self {
-        Self { scene, weights: MeshWeight::of_scene(scene), poses: ScenePoses::new(scene).ok() }
+        let (weights, poses) = (MeshWeight::of_scene(scene), ScenePoses::new(scene).ok());
+        Self { scene, weights, poses, base_colors: OnceCell::new() }
     }
 
     /// Whether two meshes of the scene have the same levels.
@@ -139,16 +143,23 @@ impl<'s> MeshSimplifier<'s> {
         if sequence.texcoord_scales.is_empty() {
             sequence.texcoord_scales = self.texcoord_scales(&used);
         }
-        if !sequence.texcoord_factors.is_empty() {
-            let factors = &options.texcoord_factors;
-            let factor = |material: usize| factors.get(material).copied().unwrap_or(1.0);
-            sequence.texcoord_factors = used.into_iter().map(factor).collect();
+        if sequence.base_colors.is_empty() && sequence.attribute_weights.texcoord > 0.0 {
+            sequence.base_colors = self.base_colors(&used);
         }
         Ok(sequence)
     }
 }
 
 impl MeshSimplifier<'_> {
+    /// Base colors of some materials; empty if none is known.
+    fn base_colors(&self, materials: &BTreeSet<usize>) -> Vec<Option<BaseColor>> {
+        #[cfg(feature = "textures")]
+        let all = self.base_colors.get_or_init(|| crate::drawn::base_colors(self.scene));
+        #[cfg(not(feature = "textures"))]
+        let all = self.base_colors.get_or_init(Vec::new);
+        materials.iter().map_while(|&material| all.get(material).cloned()).collect()
+    }
+
     /// Scales of the texture coordinates of some materials; empty if all are 1.
     fn texcoord_scales(&self, materials: &BTreeSet<usize>) -> Vec<[f32; 2]> {
         let all = self.scene.document().get("materials").and_then(Value::as_array);

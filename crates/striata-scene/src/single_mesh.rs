@@ -35,7 +35,7 @@ impl LodScene {
 }
 
 /// Returns the first triangle of a mesh, with all attributes and the appearance of the whole mesh.
-fn sample_of(mesh: &IndexedMesh) -> IndexedMesh {
+pub(crate) fn sample_of(mesh: &IndexedMesh) -> IndexedMesh {
     let corners = mesh.triangles.first().map_or(&[][..], |triangle| &triangle[..]);
     IndexedMesh {
         positions: corners.iter().map(|&vertex| mesh.positions[vertex as usize]).collect(),

@@ -96,7 +96,7 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     };
     let requests = level_requests(&args.level, &args.levels, full, &args.output.output)?;
     let limits = limits(args, &requests, full.diagonal);
-    let plan = args.sequence.plan_for(&mesh, limits, output)?;
+    let plan = args.sequence.plan_for(&mesh, limits)?;
     let simplify_started = Instant::now();
     let level_maker = LevelMaker::new(args, &plan, &mesh, &mut bar).map_err(|error| in_file(error.into()))?;
     let kind = match args.placement {

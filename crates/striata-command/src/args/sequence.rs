@@ -77,13 +77,9 @@ pub struct WeightArgs {
         value_name = "0..100",
         allow_negative_numbers = true,
         value_parser = parse_weight,
-        help = weight_help(|w| w.texcoord, "texture coordinates"),
+        help = weight_help(|w| w.texcoord, "texture coordinates and textures"),
     )]
     uv_weight: Option<f32>,
-    /// Scale --uv-weight for each material by the contrast of its base color texture, 0.1 to 2 times (glTF
-    /// input, PNG or JPEG images)
-    #[arg(long)]
-    pub uv_contrast: bool,
     #[arg(
         long,
         value_name = "0..100",
@@ -101,11 +97,10 @@ impl WeightArgs {
 
     /// Returns the first of these flags that the user gave.
     pub fn first_given_flag(&self) -> Option<&'static str> {
-        let Self { normal_weight, uv_weight, uv_contrast, color_weight } = self;
+        let Self { normal_weight, uv_weight, color_weight } = self;
         let flags = [
             ("--normal-weight", normal_weight.is_some()),
             ("--uv-weight", uv_weight.is_some()),
-            ("--uv-contrast", *uv_contrast),
             ("--color-weight", color_weight.is_some()),
         ];
         flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag)

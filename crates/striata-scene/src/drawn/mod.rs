@@ -17,6 +17,8 @@
 //! Broken references count as absent, as they do in most viewers: a picture of the rest is more useful than
 //! none.
 
+#[cfg(feature = "textures")]
+mod base_color;
 mod camera;
 #[cfg(feature = "textures")]
 mod image_store;
@@ -29,6 +31,8 @@ mod shown_nodes;
 mod specular_glossiness;
 mod texture_use;
 
+#[cfg(feature = "textures")]
+pub use base_color::{base_colors, base_colors_of_mesh};
 pub use camera::{DocumentCamera, Projection, cameras};
 #[cfg(feature = "textures")]
 pub use image_store::{DecodeResult, DecodedImages, ImageLimits, decode_images};

@@ -1,22 +1,11 @@
 //! How a material refers to an image: sampler, texture coordinates and their transform.
 
 use serde_json::Value;
+pub use striata::simplify::Wrap;
 
 use super::json::{extension, number, numbers};
 use crate::document::{entries, index};
 use crate::textures::ImageFormat;
-
-/// What happens outside the unit square of texture coordinates.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Wrap {
-    /// The image repeats.
-    #[default]
-    Repeat,
-    /// The image repeats, and every other copy is mirrored.
-    MirroredRepeat,
-    /// The outermost pixels continue.
-    ClampToEdge,
-}
 
 /// How an image is sampled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -55,7 +44,8 @@ impl UvTransform {
     fn read(transform: &Value) -> Self {
         let [scale_u, scale_v] = numbers(transform, "scale").unwrap_or([1.0; 2]);
         let [offset_u, offset_v] = numbers(transform, "offset").unwrap_or([0.0; 2]);
-        let (sin, cos) = number(transform, "rotation").unwrap_or(0.0).sin_cos();
+        // The platform's own functions would choose other levels on other machines.
+        let (sin, cos) = libm::sincosf(number(transform, "rotation").unwrap_or(0.0));
         Self([[cos * scale_u, sin * scale_v, offset_u], [-sin * scale_u, cos * scale_v, offset_v]])
     }
 }

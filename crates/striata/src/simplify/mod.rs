@@ -15,6 +15,7 @@
 //! # Ok::<(), striata::simplify::SimplifyError>(())
 //! ```
 
+mod base_color;
 pub mod cells;
 mod certify;
 mod collapse;
@@ -24,6 +25,7 @@ mod place;
 mod remove;
 mod scaled_space;
 
+pub use base_color::{BaseColor, TextureLevels, Wrap};
 pub use certify::{
     CertifiedFaces, certify, certify_collapses, certify_collapses_in_any_state,
     certify_collapses_in_any_state_with_progress, certify_collapses_with_progress, certify_faces,

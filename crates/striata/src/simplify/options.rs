@@ -3,6 +3,8 @@
 use crate::mesh::{FragmentError, IndexedMesh, MeshError, RefinableMesh, SequenceError};
 use crate::setters::setters;
 
+use super::base_color::BaseColor;
+
 /// The level of detail to simplify to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -103,9 +105,11 @@ pub enum TopologyRule {
 /// 1.0 in the attribute costs as much as this distance. A weight of 0 ignores the layer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AttributeWeights {
-    /// Weight of normals (difference of unit vectors); default 0.007.
+    /// Weight of normals (difference of unit vectors); default 0.007. On smooth parts of the surface, a
+    /// difference counts the more the larger the triangles are that show it.
     pub normal: f32,
-    /// Weight of every UV set; default 0.02.
+    /// Weight of every UV set; default 0.02. A difference of 1 between [base
+    /// colors](SequenceOptions::base_colors) counts four times as much.
     pub texcoord: f32,
     /// Weight of every color set; default 0.003.
     pub color: f32,
@@ -139,19 +143,18 @@ pub struct SequenceOptions {
     pub max_error: Option<f64>,
     /// Weights of the attributes; see [`AttributeWeights`].
     pub attribute_weights: AttributeWeights,
-    /// Factor on the weight of texture coordinates for each material, at least 0; default 1 for every
-    /// material.
-    ///
-    /// The list is indexed by [`TriangleGroup::material`](crate::mesh::TriangleGroup). Materials beyond
-    /// its end and groups without a material have factor 1. Small factors suit textures of low
-    /// contrast, on which sliding is hardly visible.
-    pub texcoord_factors: Vec<f32>,
     /// Parts of the texture per unit of the texture coordinates, along each axis, for each material; default 1.
     ///
-    /// The list is indexed like [`texcoord_factors`](Self::texcoord_factors). It is the scale of the texture
-    /// transform of a glTF material (`KHR_texture_transform`): coordinates from 0 to 4095 with a scale of
-    /// 1/4095 count as much as those from 0 to 1.
+    /// The list is indexed by [`TriangleGroup::material`](crate::mesh::TriangleGroup); materials beyond its end
+    /// have the default. It is the scale of the texture transform of a glTF material
+    /// (`KHR_texture_transform`): coordinates from 0 to 4095 with a scale of 1/4095 count as much as those
+    /// from 0 to 1.
     pub texcoord_scales: Vec<[f32; 2]>,
+    /// Base color of each material; default unknown.
+    ///
+    /// The list is indexed like [`texcoord_scales`](Self::texcoord_scales). If the color is known, what a
+    /// collapse changes in it counts, and differences of the texture coordinates themselves count less.
+    pub base_colors: Vec<Option<BaseColor>>,
     /// How boundaries are treated; default kept.
     pub boundary: BoundaryRule,
     /// How borders between triangle groups are treated; default kept. If they are locked, every vertex
@@ -189,7 +192,6 @@ impl SequenceOptions {
             .into_iter()
             .filter_map(|(option, value)| Some((option, value?)))
             .chain(weights.map(|(option, value)| (option, f64::from(value))))
-            .chain(self.texcoord_factors.iter().map(|&factor| ("texcoord_factors", f64::from(factor))))
             .chain(self.texcoord_scales.iter().flatten().map(|&scale| ("texcoord_scales", f64::from(scale))));
         for (option, value) in numbers {
             if !(value >= 0.0 && value.is_finite()) {
@@ -208,8 +210,8 @@ impl SequenceOptions {
         with_base_triangle_count, base_triangle_count: usize;
         with_max_error, max_error: some f64;
         with_attribute_weights, attribute_weights: AttributeWeights;
-        with_texcoord_factors, texcoord_factors: Vec<f32>;
         with_texcoord_scales, texcoord_scales: Vec<[f32; 2]>;
+        with_base_colors, base_colors: Vec<Option<BaseColor>>;
         with_boundary, boundary: BoundaryRule;
         with_group_borders, group_borders: BoundaryRule;
         with_seams, seams: SeamRule;

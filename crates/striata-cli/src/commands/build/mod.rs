@@ -68,7 +68,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
         base_triangle_count: base.unwrap_or(0),
         max_error: limit_in_units(args.limits.max_error, diagonal),
     };
-    let mut sequence = args.sequence.plan_for(&mesh, limits, output)?;
+    let mut sequence = args.sequence.plan_for(&mesh, limits)?;
     if let Some(remark) =
         adapt_retriangulation(&mut sequence, &models, args.sequence.wants_free_retriangulation())?
     {
@@ -126,7 +126,6 @@ fn check_paged_flags(args: &BuildArgs) -> Result<(), Failure> {
         ("--cost", sequence.cost.is_some()),
         ("--pair-distance", sequence.pair_distance.is_some()),
         ("--new-vertices", sequence.new_vertices.is_some()),
-        ("--uv-contrast", sequence.weights.uv_contrast),
     ];
     let given = flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag);
     let given = given

@@ -77,8 +77,7 @@ pub(in crate::commands) fn build(
         base_triangle_count: base.unwrap_or(0),
         max_error: limit_in_units(args.limits.max_error, scene.diagonal()),
     };
-    let lods =
-        build_scene(input, &scene, (&args.sequence, limits), output, &mut |progress| bar.show(progress))?;
+    let lods = build_scene(input, &scene, (&args.sequence, limits), &mut |progress| bar.show(progress))?;
     let shortfall = base.and_then(|base| shortfall_of(&lods, base, args));
     check_strict(args.limits.strict, None, shortfall.as_deref())?;
     phases.enter("write");

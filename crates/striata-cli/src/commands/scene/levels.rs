@@ -93,8 +93,7 @@ pub(in crate::commands) fn simplify(
     let scene = if args.scene.flat { flat_scene(input, output)? } else { input.scene(output)? };
     let scene = edited(scene, (&args.edits, true), output)?;
     let limits = Limits { max_error: limit_in_units(args.max_error, scene.diagonal()), ..Limits::default() };
-    let lods =
-        build_scene(input, &scene, (&args.sequence, limits), output, &mut |progress| bar.show(progress))?;
+    let lods = build_scene(input, &scene, (&args.sequence, limits), &mut |progress| bar.show(progress))?;
     drop(bar);
     let destination = Destination {
         level: &args.level,

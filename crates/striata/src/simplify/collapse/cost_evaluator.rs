@@ -48,9 +48,11 @@ enum EvaluationStage {
     /// Only the quadratic cost, a lower bound of the full cost.
     #[default]
     Bound,
-    /// The collapse is allowed, and the cost includes the distance of the vertex from its fan.
+    /// The cost includes the distance of the vertex from its fan, which is possible.
     Measured,
-    /// The cost is complete.
+    /// The cost also includes the attributes, but not the colors that textures show.
+    Attributed,
+    /// The collapse is allowed, and the cost is complete.
     Complete,
 }
 
@@ -60,6 +62,7 @@ struct Candidate {
     quadratic: f32,
     distance_squared: f32,
     protrusion_squared: f32,
+    attributes: f32,
 }
 
 /// The current mesh and everything needed to evaluate collapse costs on it.
@@ -124,12 +127,7 @@ impl<'a> CostEvaluator<'a> {
             star: Star::default(),
             legality: Legality::default(),
             relaxed: None,
-            attributes: AttributeSpace::new(
-                welded,
-                &options.attribute_weights,
-                (&options.texcoord_factors, &options.texcoord_scales),
-                scale,
-            ),
+            attributes: AttributeSpace::new(welded, options, scale),
             is_locked: locked_positions(welded, &options.locked_vertices, options.group_borders),
             height_field: HeightField::of(welded, options.height_field),
             is_cell: false,
@@ -356,21 +354,24 @@ impl<'a> CostEvaluator<'a> {
                     outward: None,
                 });
             }
-            let refined = if candidate.stage == EvaluationStage::Bound {
-                self.measure(v, k)
-            } else {
-                self.complete_cost(v, k)
+            let refined = match candidate.stage {
+                EvaluationStage::Bound => self.measure(v, k),
+                EvaluationStage::Measured if self.attributes.is_some() => Some(self.attributed_cost(v, k)),
+                _ => self.complete_cost(v, k),
             };
             self.star.costs[k] = refined.unwrap_or(f32::INFINITY);
         };
         if self.pairs.is_some() { self.best_pair(v, best) } else { best }
     }
 
-    /// Tests whether neighbor `k` may be the target, and returns its cost with the distance of `v` from
-    /// the fan.
+    /// Tests whether `v` may move to neighbor `k`, and returns its cost with the distance of `v` from the fan.
     fn measure(&mut self, v: u32, k: usize) -> Option<f32> {
         let u = self.star.ids[k];
-        if !self.legality.allows(&self.links, v, u) || !self.keeps_height_field(v, u) {
+        // Attributes often exclude more targets than the topology does, whose test takes longer.
+        if self.attributes.is_none() && !self.legality.allows(&self.links, v, u) {
+            return None;
+        }
+        if !self.keeps_height_field(v, u) {
             return None;
         }
         if self.pairs.is_some() && !self.leaves_enough(v, u) {
@@ -390,7 +391,7 @@ impl<'a> CostEvaluator<'a> {
             stage: EvaluationStage::Measured,
             quadratic,
             distance_squared,
-            protrusion_squared: 0.0,
+            ..Candidate::default()
         };
         Some(match &self.history {
             CostHistory::Memoryless => quadratic + self.star.distance_cost(distance_squared),
@@ -406,10 +407,22 @@ impl<'a> CostEvaluator<'a> {
         self.height_field.as_ref().is_none_or(|field| field.allows(&self.star, v, u))
     }
 
-    /// Returns the full cost of neighbor `k` as the target.
+    /// Returns the cost of neighbor `k` as the target with attributes, but without how far the fan sticks out.
+    fn attributed_cost(&mut self, v: u32, k: usize) -> f32 {
+        self.pair(v, k);
+        let attributes = self.attribute_cost(v, k);
+        let candidate = &mut self.candidates[k];
+        (candidate.stage, candidate.attributes) = (EvaluationStage::Attributed, attributes);
+        self.star.costs[k] + attributes
+    }
+
+    /// Returns the full cost of neighbor `k` as the target, if it may be the target.
     fn complete_cost(&mut self, v: u32, k: usize) -> Option<f32> {
+        if self.attributes.is_some() && !self.legality.allows(&self.links, v, self.star.ids[k]) {
+            return None;
+        }
         self.candidates[k].stage = EvaluationStage::Complete;
-        let Candidate { quadratic, distance_squared, .. } = self.candidates[k];
+        let Candidate { quadratic, distance_squared, attributes, .. } = self.candidates[k];
         let mut cost = quadratic;
         if !matches!(self.history, CostHistory::Accumulated(_)) {
             let protrusion_squared = self.star.protrusion_squared(k);
@@ -422,16 +435,24 @@ impl<'a> CostEvaluator<'a> {
             self.star.mark_vanishing(Some(k));
             cost += tracker.increase(&self.star, k, (v, distance_squared));
         }
-        if self.attributes.is_some() {
+        cost += attributes;
+        if self.attributes.as_ref().is_some_and(AttributeSpace::has_colors) {
             self.pair(v, k);
+            cost += self.color_cost(v, k);
         }
-        Some(cost + self.attribute_cost(v, k))
+        Some(cost)
     }
 
     /// Attribute cost of collapsing `v` to neighbor `k`; the wedges must be paired.
     pub(in crate::simplify) fn attribute_cost(&self, v: u32, k: usize) -> f32 {
         let attributes = self.attributes.as_ref();
         attributes.map_or(0.0, |space| space.cost(&self.star, self.wedges.as_ref(), v, k))
+    }
+
+    /// Cost of the colors that collapsing `v` to neighbor `k` changes; the wedges must be paired.
+    pub(in crate::simplify) fn color_cost(&self, v: u32, k: usize) -> f32 {
+        let attributes = self.attributes.as_ref();
+        attributes.map_or(0.0, |space| space.color_cost(&self.star, self.wedges.as_ref(), v, k))
     }
 
     /// Cost of a squared distance over the star of `v`; gathers the star.

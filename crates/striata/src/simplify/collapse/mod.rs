@@ -38,6 +38,7 @@
 //! | `star/`, `fan.rs` | the star of one position, its quadratic form, the fan each candidate would leave |
 //! | `flat_fold.rs`, `height_field.rs` | whether a triangle would turn over within a flat surface, or in plan |
 //! | `wedges.rs`, `attributes.rs`, `seam_cost.rs`, `charts.rs` | pairing of wedges, cost of attributes |
+//! | `base_colors.rs` | cost of what changes in the colors that textures show |
 //! | `collapse_choice.rs`, `cost_evaluator.rs` | bound and full cost of a position's candidates |
 //! | `quadric.rs`, `tracked.rs`, `pairs.rs` | data of the other two costs; contraction of separate parts |
 //! | `heap.rs`, `simplifier.rs`, `executor.rs`, `refinement_order.rs` | the loop, a step, the numbering |
@@ -48,6 +49,7 @@
 //! | `batches/` | half-edge collapses in batches, for progressive coding |
 
 pub(super) mod attributes;
+pub(super) mod base_colors;
 pub(super) mod batches;
 pub(super) mod charts;
 pub(super) mod collapse_choice;

@@ -192,6 +192,7 @@ impl CostEvaluator<'_> {
         if start + least * distance_cost(&self.star, distance_squared) >= limit {
             return None;
         }
+        let start = start + self.color_cost(v, k);
         let protrusion_squared = self.star.protrusion_squared(k);
         let cost = start + least * distance_cost(&self.star, distance_squared + protrusion_squared);
         Some(CollapseChoice {
@@ -256,7 +257,7 @@ impl CostEvaluator<'_> {
                     None => [u, e.a, e.b],
                     Some(wedges) => [u, e.a, e.b].map(|p| wedges.vertex_at(e.triangle, p)),
                 };
-                space.interpolation_error(own, corners, weights)
+                space.interpolation_error((own, self.star.area()), (corners, weights))
             });
             let turned = FIN_NORMAL_WEIGHT * other.distance_squared(normal);
             best = best.min(distance_squared + turned + attributes);
