@@ -8,6 +8,8 @@
 //! these triangles, the difference falls linearly from the crossing corner to the opposite edge; its
 //! mean square counts over the triangle's area.
 
+use std::ops::Range;
+
 use glam::Vec3;
 
 use crate::mesh::{AttributeLayer, Semantic, Welded};
@@ -53,10 +55,13 @@ const MAX_SLIDE: f32 = 4.0;
 /// larger.
 const TEXTURED_SHARE: f32 = 0.5;
 /// Additional factor on squared changes of normals on a smooth surface, per area in squared diagonals. With
-/// the default weight, a change of 1 counts like a distance of .9 times the side of a square as large as the
-/// star. A weight that is the same for all sizes ruins the shape of fine meshes long before it helps coarse
-/// ones: for equal normals, its RMS errors on thirteen assets are 10 to 25 % larger.
-const HIGHLIGHT_FACTOR: f32 = 16_000.0;
+/// the default weight, a small change of one radian counts like a distance of twice the side of a square as
+/// large as the area that shows it. A weight that is the same for all sizes ruins the shape of fine meshes
+/// long before it helps coarse ones: for equal normals, its RMS errors on thirteen assets are 10 to 20 % larger.
+const HIGHLIGHT_FACTOR: f32 = 80_000.0;
+/// Squared change of a normal at which half of that is left. The sides of a thin wall trade places in one
+/// step, which is a change of the shape, not of a highlight.
+const MAX_HIGHLIGHT: f32 = 0.1;
 /// Mean of one minus the cosine between a vertex's normal and its triangles at which half of that is left: at
 /// creases, nobody sees where a highlight ends.
 const SMOOTH_DEVIATION: f32 = 0.03;
@@ -72,8 +77,10 @@ pub(in crate::simplify) struct AttributeSpace {
     values: Vec<f32>,
     /// Bit mask of the coordinates that are texture coordinates.
     texcoords: u32,
-    /// Bit mask of the coordinates that are normals.
-    normals: u32,
+    /// The coordinates that are normals.
+    normals: Range<usize>,
+    /// Squared weight of normals.
+    normal_weight_squared: f32,
     /// For each vertex, the additional factor on the squared change of its normal per unit of area; empty if
     /// there are no normals.
     highlights: Vec<f32>,
@@ -85,6 +92,25 @@ pub(in crate::simplify) struct AttributeSpace {
     material_squared: f32,
     /// What textures show, if some are known.
     base_colors: Option<BaseColors>,
+}
+
+/// A wedge of the removed vertex and its side of the fan.
+#[derive(Clone, Copy)]
+struct Side {
+    /// The vertex, or `u32::MAX`.
+    wedge: u32,
+    /// Area of its triangles.
+    area: f32,
+    /// Least squared distance to this side of the fan, and the differences there.
+    distance: f32,
+    error: f32,
+    highlight: f32,
+}
+
+impl Default for Side {
+    fn default() -> Self {
+        Self { wedge: u32::MAX, area: 0.0, distance: f32::INFINITY, error: 0.0, highlight: 0.0 }
+    }
 }
 
 impl AttributeSpace {
@@ -121,7 +147,8 @@ impl AttributeSpace {
             dimension,
             values: vec![0.0; dimension * vertex_count],
             texcoords: 0,
-            normals: 0,
+            normals: 0..0,
+            normal_weight_squared: weights.normal * weights.normal,
             highlights: Vec::new(),
             atlases: Vec::new(),
             materials,
@@ -150,7 +177,7 @@ impl AttributeSpace {
         let count = layer.component_count as usize;
         let bits = (first..first + count).filter(|&d| d < 32).fold(0, |bits, d| bits | 1 << d);
         if layer.semantic == Semantic::Normal {
-            self.normals |= bits;
+            self.normals = first..first + count;
             self.highlights = highlights_of(welded, layer);
         }
         let mut lengths = Vec::new();
@@ -303,9 +330,7 @@ impl AttributeSpace {
     ) -> f32 {
         let vertex_at = |t: usize, position: u32| vertex_at(star, wedges, t, position);
         let u = star.offset(k);
-        // For each wedge: its vertex, the least distance to its side of the fan, and the difference there.
-        let mut nearest_by_wedge: [(u32, f32, f32); MAX_WEDGES] =
-            [(u32::MAX, f32::INFINITY, 0.0); MAX_WEDGES];
+        let mut sides = [Side::default(); MAX_WEDGES];
         let mut crossing = 0.0;
         for t in 0..star.triangle_count() {
             let [i, j] = star.triangle(t);
@@ -326,19 +351,23 @@ impl AttributeSpace {
                 crossing += areas[0].max(areas[1]) * self.smear_squared(wedge, target);
                 continue;
             }
-            let Some(slot) = nearest_by_wedge.iter_mut().find(|f| f.0 == wedge || f.0 == u32::MAX) else {
+            let Some(side) = sides.iter_mut().find(|side| [wedge, u32::MAX].contains(&side.wedge)) else {
                 continue;
             };
+            side.wedge = wedge;
+            side.area += 0.5 * a.cross(b).length();
             let [x, y, z] = nearest(u, a, b);
             let distance = (u * x + a * y + b * z).length_squared();
-            if distance < slot.1 {
+            if distance < side.distance {
                 let target = wedges.map_or(star.ids[k], |w| w.paired(wedge, star.ids[k]));
                 let corners = [target, vertex_at(t, star.ids[i]), vertex_at(t, star.ids[j])];
-                *slot =
-                    (wedge, distance, self.interpolation_error((wedge, star.area()), (corners, [x, y, z])));
+                side.distance = distance;
+                side.error = self.interpolation_error(wedge, corners, [x, y, z]);
+                side.highlight = self.highlight_error(wedge, corners, [x, y, z]);
             }
         }
-        star.area() * nearest_by_wedge.iter().map(|f| f.2).sum::<f32>() + CORNER_SHARE * crossing
+        let highlights: f32 = sides.iter().map(|side| side.area * side.area * side.highlight).sum();
+        star.area() * sides.iter().map(|side| side.error).sum::<f32>() + highlights + CORNER_SHARE * crossing
     }
 
     /// Cost of what collapsing `v` to neighbor `k` of its star changes in the colors that textures show; the
@@ -372,23 +401,33 @@ impl AttributeSpace {
         self.base_colors.is_some()
     }
 
-    /// Squared difference between a vertex's attributes, which show over an area, and those at barycentric
-    /// coordinates in a triangle.
+    /// Squared difference between a vertex's attributes and those at barycentric coordinates in a triangle.
     pub(in crate::simplify) fn interpolation_error(
         &self,
-        (wedge, area): (u32, f32),
-        (corners, weights): ([u32; 3], [f32; 3]),
+        wedge: u32,
+        corners: [u32; 3],
+        weights: [f32; 3],
     ) -> f32 {
         let [a, b, c] = corners.map(|corner| self.of(corner));
         let own = self.of(wedge);
-        let factor = 1.0 + self.highlights.get(wedge as usize).copied().unwrap_or(0.0) * area;
         (0..self.dimension)
-            .map(|d| {
-                let difference = own[d] - (weights[0] * a[d] + weights[1] * b[d] + weights[2] * c[d]);
-                let is_normal = d < 32 && self.normals >> d & 1 == 1;
-                if is_normal { factor * difference * difference } else { difference * difference }
-            })
+            .map(|d| own[d] - (weights[0] * a[d] + weights[1] * b[d] + weights[2] * c[d]))
+            .map(|difference| difference * difference)
             .sum()
+    }
+
+    /// Additional cost, per squared area, of the difference between a vertex's normal and that at barycentric
+    /// coordinates in a triangle.
+    fn highlight_error(&self, wedge: u32, corners: [u32; 3], weights: [f32; 3]) -> f32 {
+        let Some(&factor) = self.highlights.get(wedge as usize) else { return 0.0 };
+        let [own, a, b, c] =
+            [wedge, corners[0], corners[1], corners[2]].map(|v| &self.of(v)[self.normals.clone()]);
+        let squared: f32 = (0..own.len())
+            .map(|d| own[d] - (weights[0] * a[d] + weights[1] * b[d] + weights[2] * c[d]))
+            .map(|difference| difference * difference)
+            .sum();
+        let most = MAX_HIGHLIGHT * self.normal_weight_squared;
+        factor * squared * most / (most + squared)
     }
 }
 

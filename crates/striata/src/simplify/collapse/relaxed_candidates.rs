@@ -257,7 +257,7 @@ impl CostEvaluator<'_> {
                     None => [u, e.a, e.b],
                     Some(wedges) => [u, e.a, e.b].map(|p| wedges.vertex_at(e.triangle, p)),
                 };
-                space.interpolation_error((own, self.star.area()), (corners, weights))
+                space.interpolation_error(own, corners, weights)
             });
             let turned = FIN_NORMAL_WEIGHT * other.distance_squared(normal);
             best = best.min(distance_squared + turned + attributes);
