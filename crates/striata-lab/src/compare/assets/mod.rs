@@ -103,7 +103,7 @@ fn prepare<'a>(
 /// Takes levels from one sequence with default options; the time of each is that of the whole sequence.
 fn striata<'a>(subject: &Subject, bar: &mut Bar) -> Result<Simplify<'a>, Failure> {
     let started = Instant::now();
-    let options = SequenceOptions::default();
+    let options = SequenceOptions::default().with_base_colors(subject.base_colors.clone());
     let built = build_sequence_with_progress(&subject.mesh, &options, &mut |progress| bar.show(progress))?;
     let secs = started.elapsed().as_secs_f64();
     Ok(Box::new(move |request| {

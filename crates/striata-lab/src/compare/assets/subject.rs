@@ -3,16 +3,19 @@
 use std::collections::HashMap;
 
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, weld};
+use striata::simplify::BaseColor;
 
 use super::gallery::Gallery;
 use striata_command::failure::Failure;
-use striata_scene::drawn::ImageLimits;
+use striata_scene::drawn::{ImageLimits, base_colors_of_mesh};
 use striata_viewer::picture::{SceneLook, with_normals};
 
 /// A mesh with the attributes that all contenders can weight.
 pub(super) struct Subject {
     /// The mesh to simplify.
     pub(super) mesh: IndexedMesh,
+    /// What the textures of its materials show.
+    pub(super) base_colors: Vec<Option<BaseColor>>,
     /// The mesh with normals for comparison and lighting: its own, or smooth ones.
     pub(super) reference: IndexedMesh,
     /// Pictures of the mesh.
@@ -28,6 +31,7 @@ impl Subject {
     /// If the mesh has no triangles or its parts do not fit together.
     pub(super) fn new(mesh: &IndexedMesh) -> Result<Self, Failure> {
         let look = SceneLook::of_mesh(mesh, &ImageLimits::default());
+        let base_colors = base_colors_of_mesh(mesh);
         let mesh = weld(&with_common_layers(mesh))?.mesh;
         if mesh.triangles.is_empty() {
             return Err(Failure::user("there is no triangle to simplify"));
@@ -35,7 +39,7 @@ impl Subject {
         let reference = with_normals(mesh.clone());
         let smooth_normals = mesh.layer(&Semantic::Normal).is_none().then(|| normals_by_position(&reference));
         let gallery = Gallery::of(&reference, look);
-        Ok(Self { mesh, reference, gallery, smooth_normals })
+        Ok(Self { mesh, base_colors, reference, gallery, smooth_normals })
     }
 
     /// Whether the mesh itself has normals.
