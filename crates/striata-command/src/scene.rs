@@ -250,7 +250,7 @@ impl SequenceArgs {
     ///
     /// # Errors
     /// If a flag is for one mesh only, or belongs to the other order.
-    fn scene_options(&self, scene: &Scene, has_limit: bool) -> Result<LodOptions, Failure> {
+    pub fn scene_options(&self, scene: &Scene, has_limit: bool) -> Result<LodOptions, Failure> {
         let SequencePlan::Quadric { options, guarantee, .. } =
             self.plan(scene.diagonal(), Limits::default())?
         else {

@@ -59,8 +59,6 @@ pub enum StepKind {
     Single,
     /// In batches, as a stream needs them.
     Batches,
-    /// One by one, with new vertex positions.
-    Optimal,
 }
 
 /// The simplification steps of a mesh.
@@ -390,7 +388,7 @@ impl SequenceArgs {
             OrderArg::Hausdorff | OrderArg::HausdorffStrict => "no more vertices can be removed",
         };
         let loss = match kind {
-            StepKind::Single | StepKind::Optimal => "removing the last triangles",
+            StepKind::Single => "removing the last triangles",
             StepKind::Batches => "changing the topology",
         };
         let mut text = format!("{step} without {loss}");

@@ -42,7 +42,7 @@ pub use file::{open, save};
 pub use glb_stream::{GlbStreamOptions, read_glb_with_stream, read_glb_with_stream_and_progress};
 pub use levels::{MeshWeight, SceneLevel, SceneLevels};
 pub use lod_chain::{LodChainOptions, lod_chain};
-pub use lod_scene::LodScene;
+pub use lod_scene::{FittedMeshes, Fitting, LodScene};
 pub use pose::{Pose, Poser};
 pub use scene_view::{SceneView, ShownIndices};
 

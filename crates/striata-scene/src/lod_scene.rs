@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 
 use glam::{DMat4, DVec3};
 use striata::mesh::IndexedMesh;
-use striata::simplify::SimplifyError;
+use striata::simplify::{SequenceOptions, Simplified, SimplifyError, fit_level_with_progress};
 use striata::{Cancelled, Lod, LodOptions, Progress, ProgressFn, Target, ignore_progress};
 use striata_io::Scene;
 
@@ -194,6 +194,44 @@ impl LodScene {
         lods.map(|(mesh, lod)| Some(level_of(mesh, lod.as_ref()?))).collect()
     }
 
+    /// Returns the meshes of a level like [`level_meshes`](Self::level_meshes), [fitted](fit_level_with_progress) to
+    /// the full meshes, with the error of the level in units of the scene. Meshes with skins or morph targets stay
+    /// as they are.
+    ///
+    /// # Errors
+    /// [`BuildError`] if an option is out of range, or if the callback cancels.
+    pub fn fitted_meshes(
+        &self,
+        level: &SceneLevel,
+        fitting: &Fitting<'_>,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<FittedMeshes, BuildError> {
+        let mut meshes = self.level_meshes(level);
+        let (mut error, mut fitted_count) = (0.0f64, 0);
+        for (index, mesh) in meshes.iter_mut().enumerate() {
+            let (Some(lod), Some(made)) = (&self.lods()[index], mesh.as_mut()) else { continue };
+            let split_count = level.split_counts.get(index).copied().unwrap_or(usize::MAX);
+            let scale = self.levels().weight(index).map_or(1.0, |weight| weight.scale);
+            let own = f64::from(lod.sequence().error_at(split_count.min(lod.step_count())));
+            let original = lod.mesh();
+            if original.layers.iter().any(|layer| layer.semantic.is_of_poses())
+                || !(fitting.selects)(original)
+            {
+                error = error.max(own * scale);
+                continue;
+            }
+            let kept = Simplified { mesh: std::mem::take(made), error: own, stop_reason: level.stop_reason };
+            let fitted =
+                fit_level_with_progress(original, kept, fitting.options, fitting.max_error / scale, progress);
+            let name = || self.scene().mesh_name(index).to_owned();
+            let fitted = fitted.map_err(|error| BuildError::new(index, name(), error))?;
+            error = error.max(fitted.error * scale);
+            fitted_count += 1;
+            *made = fitted.mesh;
+        }
+        Ok(FittedMeshes { meshes, error, fitted_count })
+    }
+
     /// Returns the triangles of a level as index lists over the vertices of [`full_scene`](Self::full_scene): for
     /// each mesh of the document, one list for each of its triangle primitives; none for meshes without triangles.
     ///
@@ -222,6 +260,27 @@ impl LodScene {
         let scene = self.scene().clone().with_meshes(meshes);
         scene.expect("the groups of each mesh were checked, and every level has them all")
     }
+}
+
+/// Which meshes of a level are fitted, and how: see [`LodScene::fitted_meshes`].
+pub struct Fitting<'a> {
+    /// Whether the vertices of a mesh may move.
+    pub selects: &'a dyn Fn(&IndexedMesh) -> bool,
+    /// What must not move.
+    pub options: &'a SequenceOptions,
+    /// A mesh stays as it is if its error would exceed this, in units of the scene.
+    pub max_error: f64,
+}
+
+/// Meshes of a level whose vertices were moved: see [`LodScene::fitted_meshes`].
+#[derive(Clone, Debug)]
+pub struct FittedMeshes {
+    /// The meshes, for [`Scene::with_meshes`].
+    pub meshes: Vec<Option<IndexedMesh>>,
+    /// Largest error of all meshes, in units of the scene.
+    pub error: f64,
+    /// Number of meshes that were to be fitted.
+    pub fitted_count: usize,
 }
 
 /// Checks that a mesh of the document has as many triangle primitives as its levels have groups; levels

@@ -262,10 +262,10 @@ pub(crate) struct ExtractArgs {
 pub(crate) struct SimplifyArgs {
     /// Mesh or scene to read, - for stdin, or a built-in shape: shape:torus
     pub(crate) input: PathBuf,
-    /// Where vertices may lie: subset (vertices of the input) or optimal (anywhere; closer to the original,
-    /// with interpolated attributes)
-    #[arg(long, default_value = "subset", hide_possible_values = true)]
-    pub(crate) placement: PlacementArg,
+    /// Where vertices may lie: subset (vertices of the input) or optimal (anywhere, with fitted attributes: about half
+    /// the error) [default: optimal for one level, but subset if something refers to vertices of the input]
+    #[arg(long, hide_possible_values = true)]
+    pub(crate) placement: Option<PlacementArg>,
     /// The level to produce.
     #[command(flatten)]
     pub(crate) level: LevelArgs,
@@ -410,7 +410,7 @@ pub(crate) enum TriangleForm {
 pub(crate) enum PlacementArg {
     /// Only at vertices of the input, with their attributes
     Subset,
-    /// Anywhere: closer to the surface, with interpolated attributes
+    /// Anywhere: closer to the surface, with fitted attributes
     Optimal,
 }
 

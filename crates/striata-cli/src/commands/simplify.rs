@@ -5,10 +5,7 @@ use std::time::Instant;
 use serde::Serialize;
 use serde_json::Value;
 use striata::mesh::{DistanceOptions, IndexedMesh, surface_distance, weld};
-use striata::simplify::{
-    Placement, SequenceOptions, Simplified, SimplifyError, SimplifyOptions, StopReason, Target,
-    simplify_with_progress,
-};
+use striata::simplify::{Placement, Simplified, StopReason, Target, fit_level_with_progress};
 
 use super::scene::{self, check_outputs};
 use crate::args::{PlacementArg, SimplifyArgs};
@@ -19,7 +16,7 @@ use striata_command::level::{
     CoarseningLimit, FullMesh, LevelRequest, LevelRow, ReachedLevel, check_strict, level_requests, shortfall,
     shortfall_note, table_of_levels,
 };
-use striata_command::output::{Bar, Output, format_count, format_duration, format_length};
+use striata_command::output::{Output, format_count, format_duration, format_length};
 use striata_command::save::{LevelFiles, Primitives, display_name, georeference_of, is_stdout};
 use striata_command::scene::with_mesh_textures;
 use striata_command::sequence::{Limits, SequencePlan, SimplifiedSteps, StepKind, limit_in_units};
@@ -33,6 +30,7 @@ struct Report {
     level: LevelReport,
     error_is_guaranteed: bool,
     order: &'static str,
+    placement: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     georeference: Option<Value>,
     simplify_secs: f64,
@@ -45,6 +43,7 @@ struct LevelsReport {
     levels: Vec<LevelReport>,
     error_is_guaranteed: bool,
     order: &'static str,
+    placement: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     georeference: Option<Value>,
     simplify_secs: f64,
@@ -78,13 +77,13 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     output.check_stdout_is_free(is_stdout(&args.output.output))?;
     check_outputs(&args.level, &args.levels, (&args.output.output, &args.output.format))?;
-    check_placement(args)?;
+    let placement = ChosenPlacement::of(args)?;
     let mut bar = output.bar();
     bar.phase("read");
     let input = Input::open(&args.input)?;
     if (input.scene_kind().is_some() && !args.scene.flat) || args.levels.lod_chain {
         drop(bar);
-        return scene::simplify(args, &input, started, output);
+        return scene::simplify((args, placement), &input, started, output);
     }
     let mesh = with_mesh_textures(input.mesh(output)?, args.textures.options().as_ref(), output)?;
     args.sequence.warn_about_groups(&mesh, output);
@@ -98,19 +97,22 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let limits = limits(args, &requests, full.diagonal);
     let plan = args.sequence.plan_for(&mesh, limits)?;
     let simplify_started = Instant::now();
-    let level_maker = LevelMaker::new(args, &plan, &mesh, &mut bar).map_err(|error| in_file(error.into()))?;
-    let kind = match args.placement {
-        PlacementArg::Subset => StepKind::Single,
-        PlacementArg::Optimal => StepKind::Optimal,
-    };
-    let coarsening_limit = CoarseningLimit::Simplification(args.sequence.describe_limit(kind));
+    let welded = weld(&mesh).map_err(|error| in_file(error.into()))?;
+    let made = plan.run(welded, &mut |progress| bar.show(progress)).map_err(|error| in_file(error.into()))?;
+    let is_fitted = placement.moves(&mesh);
+    let coarsening_limit = CoarseningLimit::Simplification(args.sequence.describe_limit(StepKind::Single));
     let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some(), output);
     let mut levels = Vec::new();
     let mut simplify_secs = simplify_started.elapsed().as_secs_f64();
     for request in &requests {
         let level_started = Instant::now();
-        let simplified =
-            level_maker.level(request.target, &mut bar).map_err(|error| in_file(error.into()))?;
+        let mut simplified = level_of(&made, request.target);
+        if is_fitted && let SequencePlan::Quadric { options, .. } = &plan {
+            let limit = fitting_limit(request);
+            let report = &mut |progress| bar.show(progress);
+            simplified = fit_level_with_progress(&mesh, simplified, options, limit, report)
+                .map_err(|error| in_file(error.into()))?;
+        }
         simplify_secs += level_started.elapsed().as_secs_f64();
         let mut level = LevelReport::new(request, &simplified, &coarsening_limit);
         check_strict(args.strict, request.name.as_deref(), level.shortfall.as_deref())?;
@@ -125,39 +127,86 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     files.commit()?;
     drop(bar);
     let (error_is_guaranteed, order) = (plan.guarantees_errors(), plan.order().as_str());
+    let placement = placement_name(is_fitted);
     let georeference = georeference_of(&mesh);
     let secs = started.elapsed().as_secs_f64();
     if args.levels.levels.is_some() {
-        let report = LevelsReport { levels, error_is_guaranteed, order, georeference, simplify_secs, secs };
+        let report =
+            LevelsReport { levels, error_is_guaranteed, order, placement, georeference, simplify_secs, secs };
         return output.summary(&report, &report.to_text(mesh.triangle_count()));
     }
     let level = levels.pop().ok_or_else(|| Failure::internal("no level was given"))?;
-    let report = Report { level, error_is_guaranteed, order, georeference, simplify_secs, secs };
+    let report = Report { level, error_is_guaranteed, order, placement, georeference, simplify_secs, secs };
     output.summary(&report, &report.to_text(mesh.triangle_count(), full.diagonal))
 }
 
-/// Checks that no flag is given that does not work with `--placement optimal`.
-///
-/// # Errors
-/// If there is such a flag.
-fn check_placement(args: &SimplifyArgs) -> Result<(), Failure> {
-    if args.placement == PlacementArg::Subset {
-        return Ok(());
+/// Which meshes get vertices that are not those of the input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum ChosenPlacement {
+    /// None.
+    Subset,
+    /// Those in which nothing refers to vertices: see [`Placement::for_one_level`].
+    Suitable,
+    /// All that can.
+    Optimal,
+}
+
+impl ChosenPlacement {
+    /// Returns what the user chose, or what suits the arguments.
+    ///
+    /// # Errors
+    /// If there is a flag that does not work with `--placement optimal`.
+    fn of(args: &SimplifyArgs) -> Result<Self, Failure> {
+        let sequence = &args.sequence;
+        let fixed = [
+            ("--order", sequence.order != OrderArg::Quadric),
+            ("--new-vertices", sequence.new_vertices.is_some()),
+            ("--max-error", args.max_error.is_some()),
+            ("--certify", sequence.certify),
+            ("--lod-chain", args.levels.lod_chain),
+        ];
+        let fixed = fixed.into_iter().find(|&(_, is_given)| is_given);
+        match (args.placement, fixed) {
+            (Some(PlacementArg::Subset), _) => Ok(Self::Subset),
+            (Some(PlacementArg::Optimal), Some((flag, _))) => {
+                Err(Failure::user(format!("{flag} does not work with --placement optimal"))
+                    .with_hint(format!("remove --placement optimal or {flag}")))
+            }
+            (Some(PlacementArg::Optimal), None) => Ok(Self::Optimal),
+            (None, Some(_)) => Ok(Self::Subset),
+            (None, None) => {
+                let has_locks = sequence.lock_boundary || sequence.lock_groups || sequence.keep_height_field;
+                let stays = has_locks || args.levels.levels.is_some();
+                Ok(if stays { Self::Subset } else { Self::Suitable })
+            }
+        }
     }
-    let weight = args.sequence.weights.first_given_flag();
-    let flags = [
-        ("--order", args.sequence.order != OrderArg::Quadric),
-        ("--new-vertices", args.sequence.new_vertices.is_some()),
-        ("--max-error", args.max_error.is_some()),
-        ("--certify", args.sequence.certify),
-        ("--cost", args.sequence.cost.is_some()),
-        (weight.unwrap_or_default(), weight.is_some()),
-        ("--pair-distance", args.sequence.pair_distance.is_some()),
-    ];
-    match flags.into_iter().find(|&(_, is_given)| is_given) {
-        None => Ok(()),
-        Some((flag, _)) => Err(Failure::user(format!("{flag} does not work with --placement optimal"))
-            .with_hint(format!("remove --placement optimal or {flag}"))),
+
+    /// Whether the vertices of a mesh may move.
+    pub(super) fn moves(self, mesh: &IndexedMesh) -> bool {
+        match self {
+            Self::Subset => false,
+            Self::Suitable => Placement::for_one_level(mesh) == Placement::Optimal,
+            Self::Optimal => true,
+        }
+    }
+}
+
+/// Name of the placement in reports.
+pub(super) fn placement_name(is_optimal: bool) -> &'static str {
+    if is_optimal { "optimal" } else { "subset" }
+}
+
+/// Note on the placement for a report in words; none for the vertices of the input.
+pub(super) fn placement_note(placement: &str) -> &'static str {
+    if placement == placement_name(true) { ", optimal placement" } else { "" }
+}
+
+/// Largest error that moved vertices may have.
+pub(super) fn fitting_limit(request: &LevelRequest) -> f64 {
+    match request.target {
+        Some(Target::Error(error)) => error,
+        _ => f64::INFINITY,
     }
 }
 
@@ -178,55 +227,6 @@ fn limits(args: &SimplifyArgs, requests: &[LevelRequest], diagonal: f64) -> Limi
         limits.max_error = Some(limits.max_error.map_or(*error, |limit| limit.min(*error)));
     }
     limits
-}
-
-/// Makes levels of a mesh.
-enum LevelMaker<'a> {
-    /// The mesh was simplified once, as far as any level needs.
-    SimplifiedSteps(Box<SimplifiedSteps>),
-    /// With optimal placement, each level is simplified separately.
-    Optimal(&'a IndexedMesh, SequenceOptions),
-}
-
-impl<'a> LevelMaker<'a> {
-    /// Simplifies the mesh, unless each level is simplified separately.
-    ///
-    /// # Errors
-    /// If the mesh is inconsistent or an option is out of range.
-    fn new(
-        args: &SimplifyArgs,
-        plan: &SequencePlan,
-        mesh: &'a IndexedMesh,
-        bar: &mut Bar,
-    ) -> Result<Self, SimplifyError> {
-        match (args.placement, plan) {
-            (PlacementArg::Optimal, SequencePlan::Quadric { options, .. }) => {
-                // Each level has its own target.
-                Ok(Self::Optimal(mesh, options.clone().with_base_triangle_count(0)))
-            }
-            _ => {
-                let sequenced = plan.run(weld(mesh)?, &mut |progress| bar.show(progress))?;
-                Ok(Self::SimplifiedSteps(Box::new(sequenced)))
-            }
-        }
-    }
-
-    /// Returns a level; the coarsest one if there is no target.
-    ///
-    /// # Errors
-    /// If an option is out of range.
-    fn level(&self, target: Option<Target>, bar: &mut Bar) -> Result<Simplified, SimplifyError> {
-        match self {
-            Self::SimplifiedSteps(sequenced) => Ok(level_of(sequenced, target)),
-            Self::Optimal(mesh, options) => {
-                let options = SimplifyOptions::default()
-                    .with_target(target.unwrap_or(Target::Detail(0.0)))
-                    .with_placement(Placement::Optimal)
-                    .with_sequence(options.clone());
-                simplify_with_progress(mesh, &options, &mut |progress| bar.show(progress))
-            }
-        }
-    }
 }
 
 /// Returns a level of a sequence; the coarsest one if there is no target.
@@ -287,11 +287,12 @@ impl Report {
         let shortfall =
             level.shortfall.as_ref().map(|shortfall| format!("\n{}", shortfall_note(None, shortfall)));
         format!(
-            "{} -> {} triangles, {kind}error {} ({:.4} % of the diagonal){reverse}, {}, {}{}",
+            "{} -> {} triangles, {kind}error {} ({:.4} % of the diagonal){reverse}{}, {}, {}{}",
             format_count(before),
             format_count(level.triangle_count),
             format_length(level.error),
             share(level.error),
+            placement_note(self.placement),
             level.stop_reason.replace('_', " "),
             format_duration(self.secs),
             shortfall.unwrap_or_default()

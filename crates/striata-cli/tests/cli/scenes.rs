@@ -119,13 +119,44 @@ fn other_formats_and_flat_files_contain_one_mesh() {
 }
 
 #[test]
+fn one_level_of_a_scene_is_fitted_unless_something_refers_to_vertices() {
+    let bench = bench_of(&scenes::hierarchy());
+    let rms = |flags: &str, placement: &str| {
+        let level = bench.json(&format!("simplify a.glb -o level.glb --ratio 0.2 {flags}"));
+        assert_eq!(level["placement"].as_str().unwrap_or("subset"), placement, "{flags}");
+        let distance = bench.json("distance a.glb level.glb");
+        (level["triangle_count"].clone(), distance["rms"].as_f64().expect("a distance"))
+    };
+    let (count, fitted) = rms("", "optimal");
+    assert_eq!((count.clone(), fitted), rms("--placement optimal", "optimal"));
+    for flags in ["--placement subset", "--certify", "--lock-boundary"] {
+        let (subset_count, subset) = rms(flags, "subset");
+        assert_eq!(count, subset_count, "{flags}");
+        assert!(fitted < 0.8 * subset, "{flags}: {fitted} against {subset}");
+    }
+    let chain = bench.json("simplify a.glb -o b.glb --levels 50%,20% --lod-chain");
+    assert!(chain.get("placement").is_none(), "{chain}");
+    let message = bench.refused("simplify a.glb -o c.glb --ratio 0.5 --certify --placement optimal");
+    assert!(message.contains("or --certify"), "{message}");
+}
+
+#[test]
+fn meshes_with_skins_keep_their_vertices() {
+    let bench = bench_of(&scenes::skinned());
+    let level = bench.json("simplify a.glb -o level.glb --ratio 0.5");
+    assert_eq!(level["placement"], "subset");
+    let run = bench.run("simplify a.glb -o level.glb --ratio 0.5 --placement optimal").success();
+    let text = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
+    assert!(text.contains("1 mesh with skins or morph targets"), "{text}");
+}
+
+#[test]
 fn options_for_one_mesh_are_refused_with_a_hint() {
     let bench = bench_of(&scenes::hierarchy());
     bench.json("build a.glb -o a.striata");
     for (line, flag) in [
         ("build a.glb -o b.striata --models fans", "--models"),
         ("build a.glb -o b.striata --order hausdorff", "--order hausdorff"),
-        ("simplify a.glb -o b.glb --ratio 0.5 --placement optimal", "--placement optimal"),
         ("extract a.striata -o b.glb --ratio 0.5 --as fans", "--as fans"),
         ("extract a.striata -o b.glb --ratio 0.5 --model mts", "--model"),
         ("encode a.glb -o b.striata", ".striata"),

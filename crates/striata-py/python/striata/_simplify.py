@@ -176,8 +176,8 @@ def simplify(
         How much a difference of 1 in an attribute costs, as a share of the diagonal. By default, normals,
         texture coordinates and colors count a little, other attributes not at all; 0 ignores all.
     placement : {"subset", "optimal"}
-        Whether the points are a subset of the input's, or may lie anywhere (closer to the surface;
-        attributes are interpolated).
+        Whether the points are a subset of the input's, or are moved so that the surface is closest to the
+        original; attributes are fitted too. About half the error.
     cost : {"memoryless", "accumulated", "tracked"}
         What orders the removals. "tracked" is slower, and the best for few triangles.
     boundary : {"keep", "lock"}

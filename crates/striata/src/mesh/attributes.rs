@@ -29,6 +29,20 @@ pub enum Semantic {
     Generic(String),
 }
 
+impl Semantic {
+    /// Whether the layer describes how vertices move: that of a skin or of a morph target.
+    pub fn is_of_poses(&self) -> bool {
+        matches!(
+            self,
+            Self::Joints(_)
+                | Self::Weights(_)
+                | Self::MorphPosition(_)
+                | Self::MorphNormal(_)
+                | Self::MorphTangent(_)
+        )
+    }
+}
+
 impl fmt::Display for Semantic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -19,6 +19,7 @@ mod base_color;
 pub mod cells;
 mod certify;
 mod collapse;
+mod fit;
 mod level;
 mod options;
 mod place;
@@ -35,6 +36,7 @@ pub use collapse::batches::{
     BatchOptions, BuiltBatches, build_batches, build_batches_with_progress, build_welded_batches,
     build_welded_batches_with_progress,
 };
+pub use fit::{fit_level, fit_level_with_progress};
 pub use options::{
     AttributeWeights, BoundaryRule, BuiltSequence, CollapseCost, Placement, SeamRule, SequenceOptions,
     Simplified, SimplifyError, SimplifyOptions, StopReason, Target, TopologyRule,
@@ -142,9 +144,6 @@ pub fn simplify_with_progress(
     options.check()?;
     options.sequence.check_locked(mesh.vertex_count())?;
     let welded = weld(mesh)?;
-    if options.placement == Placement::Optimal {
-        return place::simplify_optimal(&welded, options, progress);
-    }
     let mut sequence_options = options.sequence.clone();
     if let Target::Triangles(n) = options.target {
         // Steps beyond the target are not needed.
@@ -167,6 +166,15 @@ pub fn simplify_with_progress(
         stop_reason = built.stop_reason;
     }
     let error = f64::from(sequence.error_at(split_count));
-    let mesh = replay(&built.refinable, split_count).without_unused_vertices();
-    Ok(Simplified { mesh, error, stop_reason })
+    let level = replay(&built.refinable, split_count).without_unused_vertices();
+    let level = Simplified { mesh: level, error, stop_reason };
+    match (options.placement, options.target) {
+        (Placement::Subset, _) => Ok(level),
+        (Placement::Optimal, target) => {
+            let target = if let Target::Error(error) = target { Some(error) } else { None };
+            let limits = [target, options.tolerance, options.sequence.max_error];
+            let max_error = limits.into_iter().flatten().fold(f64::INFINITY, f64::min);
+            fit_level_with_progress(mesh, level, &options.sequence, max_error, progress)
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! Options of the simplifier, the results it returns, and its error type.
 
-use crate::mesh::{FragmentError, IndexedMesh, MeshError, RefinableMesh, SequenceError};
+use crate::mesh::{AttributeLayer, FragmentError, IndexedMesh, MeshError, RefinableMesh, SequenceError};
 use crate::setters::setters;
 
 use super::base_color::BaseColor;
@@ -241,14 +241,26 @@ pub enum Placement {
     /// The vertices are a subset of the input's, with their attributes unchanged.
     #[default]
     Subset,
-    /// Vertices may lie anywhere, and attributes other than joints and identifiers are interpolated: closer
-    /// to the surface, but for one level only.
-    ///
-    /// The cost is always memoryless and counts attributes at seams only. [`Target::Detail`] and
-    /// [`Target::SplitCount`] treat every vertex that is not locked as removable. Collapses that cross
-    /// a seam or change the topology follow the same rules as in a sequence. The error is the largest
-    /// distance between sampled points of one mesh and the other, measured both ways.
+    /// The level is [fitted](super::fit_level) to the original: positions and attributes other than joints,
+    /// weights, morph targets and identifiers change. About half the error, but for one level only.
     Optimal,
+}
+
+impl Placement {
+    /// Returns the placement that suits a single level of a mesh.
+    ///
+    /// It is [`Subset`](Self::Subset) if something refers to vertices of the input: double precision, an origin or
+    /// a georeference, data of triangles, identifiers, skins and morph targets.
+    pub fn for_one_level(mesh: &IndexedMesh) -> Self {
+        let refers_to_vertices =
+            |layer: &AttributeLayer| layer.semantic.is_of_poses() || layer.has_identifiers();
+        let must_stay = !mesh.exact_positions.is_empty()
+            || mesh.origin != [0.0; 3]
+            || !mesh.appearance.georeference.is_empty()
+            || !mesh.triangle_layers.is_empty()
+            || mesh.layers.iter().any(refers_to_vertices);
+        if must_stay { Self::Subset } else { Self::Optimal }
+    }
 }
 
 /// Options of [`simplify`](super::simplify), which returns one level without the sequence.

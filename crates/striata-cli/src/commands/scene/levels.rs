@@ -4,7 +4,8 @@ use std::path::Path;
 use std::time::Instant;
 
 use serde::Serialize;
-use striata::simplify::{StopReason, Target};
+use striata::mesh::IndexedMesh;
+use striata::simplify::{SequenceOptions, StopReason, Target};
 use striata_command::args::{FormatArgs, LevelArgs, LevelsArgs};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
@@ -12,19 +13,20 @@ use striata_command::level::{
     CoarseningLimit, LevelRequest, LevelRow, ReachedLevel, check_paths, check_strict, level_requests,
     shortfall, shortfall_note, table_of_levels,
 };
-use striata_command::output::{Output, format_count, format_duration, format_length};
+use striata_command::output::{Output, format_count, format_duration, format_length, format_noun_count};
 use striata_command::save::{LevelFiles, display_name, folder_path, format_of, write_encoded};
 use striata_command::scene::{
-    ReceivedScene, build_scene, check_scene_flags, edited, flat_scene, full_scene_sizes, with_textures,
+    ReceivedScene, build_scene, edited, flat_scene, full_scene_sizes, with_textures,
 };
 use striata_command::sequence::{Limits, StepKind, limit_in_units};
 use striata_io::{Format, WriteOptions};
 use striata_scene::textures::TextureOptions;
-use striata_scene::{LodChainOptions, LodScene, SceneLevel, lod_chain};
+use striata_scene::{FittedMeshes, Fitting, LodChainOptions, LodScene, SceneLevel, lod_chain};
 
 use super::super::extract::INPUT_ENDED_TEXT;
+use super::super::simplify::{ChosenPlacement, fitting_limit, placement_name, placement_note};
 use super::view::extract_view;
-use crate::args::{DecodeArgs, ExtractArgs, PlacementArg, SimplifyArgs, TriangleForm};
+use crate::args::{DecodeArgs, ExtractArgs, SimplifyArgs, TriangleForm};
 
 /// Report on one level of a scene.
 #[derive(Serialize)]
@@ -32,6 +34,8 @@ pub(super) struct Report {
     #[serde(flatten)]
     pub(super) level: LevelReport,
     pub(super) error_is_guaranteed: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) placement: Option<&'static str>,
     pub(super) secs: f64,
 }
 
@@ -40,6 +44,8 @@ pub(super) struct Report {
 struct LevelsReport {
     levels: Vec<LevelReport>,
     error_is_guaranteed: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    placement: Option<&'static str>,
     secs: f64,
 }
 
@@ -75,6 +81,14 @@ struct Destination<'a> {
     limit: CoarseningLimit,
     /// Whether the coarsest level is the last one within an error limit.
     has_error_limit: bool,
+    placement: Option<ScenePlacement>,
+}
+
+/// Which meshes get vertices that are not those of the input.
+struct ScenePlacement {
+    chosen: ChosenPlacement,
+    /// What must not move.
+    options: SequenceOptions,
 }
 
 /// Simplifies a scene, writes its levels, and reports.
@@ -82,18 +96,18 @@ struct Destination<'a> {
 /// # Errors
 /// If any of this fails; nothing is written then.
 pub(in crate::commands) fn simplify(
-    args: &SimplifyArgs,
+    (args, chosen): (&SimplifyArgs, ChosenPlacement),
     input: &Input,
     started: Instant,
     output: &Output,
 ) -> Result<(), Failure> {
-    check_scene_flags(input, &[("--placement optimal", args.placement == PlacementArg::Optimal)])?;
     let mut bar = output.bar();
     bar.phase("read");
     let scene = if args.scene.flat { flat_scene(input, output)? } else { input.scene(output)? };
     let scene = edited(scene, (&args.edits, true), output)?;
     let limits = Limits { max_error: limit_in_units(args.max_error, scene.diagonal()), ..Limits::default() };
     let lods = build_scene(input, &scene, (&args.sequence, limits), &mut |progress| bar.show(progress))?;
+    let options = args.sequence.scene_options(&scene, false)?.sequence;
     drop(bar);
     let destination = Destination {
         level: &args.level,
@@ -104,6 +118,7 @@ pub(in crate::commands) fn simplify(
         is_strict: args.strict,
         limit: CoarseningLimit::Simplification(args.sequence.describe_limit(StepKind::Single)),
         has_error_limit: args.max_error.is_some(),
+        placement: (chosen != ChosenPlacement::Subset).then_some(ScenePlacement { chosen, options }),
     };
     write_levels(&ReceivedScene::complete(lods), &destination, started, output)
 }
@@ -141,6 +156,7 @@ pub(in crate::commands) fn extract(
         is_strict: args.strict,
         limit: CoarseningLimit::File,
         has_error_limit: false,
+        placement: None,
     };
     write_levels(&received, &destination, started, output)
 }
@@ -165,6 +181,7 @@ pub(in crate::commands) fn decode(
         is_strict: false,
         limit: CoarseningLimit::File,
         has_error_limit: false,
+        placement: None,
     };
     write_levels(&received, &destination, started, output)
 }
@@ -183,6 +200,7 @@ fn write_levels(
     let requests = level_requests(destination.level, several, full, destination.output)?;
     let mut reports = Vec::new();
     let mut levels = Vec::new();
+    let (mut meshes, mut is_fitted) = (Vec::new(), false);
     for request in &requests {
         let target = request.target.unwrap_or(match destination.limit {
             // Without a target, `simplify` goes as far as its limit, and `decode` gives everything.
@@ -191,6 +209,13 @@ fn write_levels(
         });
         let mut level = lods.level(target);
         level.error = level.error.max(received.error);
+        let fitted = match &destination.placement {
+            Some(placement) => Some(fitted_meshes(lods, &level, placement, fitting_limit(request), output)?),
+            None => None,
+        };
+        if let Some(fitted) = &fitted {
+            level.error = fitted.error;
+        }
         if destination.has_error_limit && level.stop_reason == StopReason::BaseReached {
             level.stop_reason = StopReason::ErrorLimit;
         }
@@ -201,6 +226,8 @@ fn write_levels(
         check_strict(destination.is_strict, request.name.as_deref(), report.shortfall.as_deref())?;
         reports.push(report);
         levels.push(level);
+        is_fitted |= fitted.as_ref().is_some_and(|fitted| fitted.fitted_count > 0);
+        meshes.push(fitted.map(|fitted| fitted.meshes));
     }
     if full.triangle_count == 0 {
         output.say("note: the scene shows no triangles; points and lines stay as they are");
@@ -213,22 +240,46 @@ fn write_levels(
         let mut files = LevelFiles::new(destination.format, several.levels.is_some(), output);
         // Images are the same in all levels, and re-encoded once.
         let mut scene = with_textures(lods.scene().clone(), destination.textures.as_ref(), output)?;
-        for (level, request) in levels.iter().zip(&requests) {
-            let changed = scene.with_meshes(lods.level_meshes(level));
+        for ((level, fitted), request) in levels.iter().zip(meshes).zip(&requests) {
+            let changed = scene.with_meshes(fitted.unwrap_or_else(|| lods.level_meshes(level)));
             scene = changed.map_err(|error| Failure::internal(error.to_string()))?;
             files.write_scene(&scene, &request.path)?;
         }
         files.commit()?;
     }
     drop(bar);
+    let placement = destination.placement.is_some().then(|| placement_name(is_fitted));
     let (error_is_guaranteed, secs) = (lods.has_guaranteed_errors(), started.elapsed().as_secs_f64());
     if several.levels.is_some() {
-        let report = LevelsReport { levels: reports, error_is_guaranteed, secs };
+        let report = LevelsReport { levels: reports, error_is_guaranteed, placement, secs };
         return output.summary(&report, &report.to_text(full.triangle_count));
     }
     let level = reports.pop().ok_or_else(|| Failure::internal("no level was given"))?;
-    let report = Report { level, error_is_guaranteed, secs };
+    let report = Report { level, error_is_guaranteed, placement, secs };
     output.summary(&report, &report.to_text(full.triangle_count))
+}
+
+/// Fits the meshes of a level, and says which meshes stay although the user wishes it.
+fn fitted_meshes(
+    lods: &LodScene,
+    level: &SceneLevel,
+    placement: &ScenePlacement,
+    max_error: f64,
+    output: &Output,
+) -> Result<FittedMeshes, Failure> {
+    let mut bar = output.bar();
+    let selects = |mesh: &IndexedMesh| placement.chosen.moves(mesh);
+    let fitting = Fitting { selects: &selects, options: &placement.options, max_error };
+    let fitted = lods
+        .fitted_meshes(level, &fitting, &mut |progress| bar.show(progress))
+        .map_err(|error| Failure::user(error.to_string()))?;
+    drop(bar);
+    let stays = fitted.meshes.iter().flatten().count() - fitted.fitted_count;
+    if placement.chosen == ChosenPlacement::Optimal && stays > 0 {
+        let count = format_noun_count(stays, "mesh", "meshes");
+        output.say(&format!("note: {count} with skins or morph targets: vertices of the input are kept"));
+    }
+    Ok(fitted)
 }
 
 /// Whether a stream that is cut off ends before the level for a target.
@@ -329,10 +380,11 @@ impl Report {
         };
         let shortfall = level.shortfall.as_deref().map(|text| format!("\n{}", shortfall_note(None, text)));
         format!(
-            "{}: {} -> {} triangles, {error}, {}, {}{}",
+            "{}: {} -> {} triangles, {error}{}, {}, {}{}",
             level.path,
             format_count(before),
             format_count(level.triangle_count),
+            placement_note(self.placement.unwrap_or_default()),
             level.stop_reason.replace('_', " "),
             format_duration(self.secs),
             shortfall.unwrap_or_default()

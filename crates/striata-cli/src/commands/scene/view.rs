@@ -76,6 +76,6 @@ pub(super) fn extract_view(
         shortfall,
     };
     let secs = started.elapsed().as_secs_f64();
-    let report = Report { level, error_is_guaranteed: lods.has_guaranteed_errors(), secs };
+    let report = Report { level, error_is_guaranteed: lods.has_guaranteed_errors(), placement: None, secs };
     output.summary(&report, &report.to_text(lods.triangle_count()))
 }

@@ -1,10 +1,10 @@
-//! Free placement: edge collapses with optimal positions of the new vertices, to one level or as a sequence.
+//! Free placement: a sequence of edge collapses with optimal positions of the new vertices.
 //!
 //! The cost of an edge is the squared distance of its new vertex from the planes of the *current*
 //! triangles around both ends, weighted by area; the new position minimizes it while preserving the
 //! volume [LT98], [Hop99]. No history is kept, so errors do not add up to a bias, and preserving the
-//! volume keeps the surface from shrinking. Levels are not nested: vertices move at every step, so the
-//! result is one mesh, or a sequence in which every moved vertex is a new one (`placed_fragments`).
+//! volume keeps the surface from shrinking. Vertices move at every step, so every moved vertex is a new one
+//! of the sequence (`placed_fragments`).
 //!
 //! ```text
 //!     r1 --- r2                r1 --- r2
@@ -31,73 +31,26 @@
 //! Links, wedges and positions are those of a `CostEvaluator`, which represents the current mesh in
 //! single precision.
 //!
-//! The loop stops at an error limit by an estimate from tracked vertices (`distance_tracker`). The
-//! error of the finished level is measured against the original, both ways; if it exceeds the limit,
-//! the simplification is repeated with a smaller one.
-//!
 //! Differs: the cost is always memoryless, attributes count only at seams and in relaxed collapses, and
 //! pairs without an edge are never merged. Time O(n log n), about 400 bytes per vertex.
 
 mod blend;
-mod distance_tracker;
 mod edge_placement;
-mod measure;
 mod merger;
 mod neighborhood;
 mod placed_fragments;
 mod placed_options;
 mod quadratic_form;
 mod seams;
-mod stop_criteria;
 
 pub use placed_options::{BuiltPlaced, PlacedCollapse, PlacedOptions};
 
 use crate::mesh::{IndexedMesh, Welded, weld};
 use crate::simplify::certify::certify_with_progress;
-use crate::simplify::options::{
-    SequenceOptions, Simplified, SimplifyError, SimplifyOptions, StopReason, Target, check_locked,
-};
+use crate::simplify::options::{SequenceOptions, SimplifyError, StopReason, check_locked};
 use crate::{ProgressFn, ignore_progress};
-use measure::measured_error;
 use merger::Merger;
 use placed_fragments::{PlacedMesh, build_placed, steps_of};
-use stop_criteria::StopCriteria;
-
-/// Number of times that a level beyond the error limit is simplified again, each time with a smaller limit.
-const MAX_RETRIES: usize = 8;
-/// Share of the diagonal that rounding to single precision may add to a distance.
-const NOISE: f64 = 1e-6;
-
-/// Simplifies to one level with freely placed vertices; the options must be in range.
-///
-/// # Errors
-/// [`SimplifyError`] if the callback cancels, or if vertices without a common edge should be merged.
-pub(super) fn simplify_optimal(
-    welded: &Welded,
-    options: &SimplifyOptions,
-    progress: &mut ProgressFn<'_>,
-) -> Result<Simplified, SimplifyError> {
-    check_no_pairs(&options.sequence)?;
-    let mut merger = Merger::new(welded, &options.sequence);
-    let mut criteria = StopCriteria::new(options, merger.counts());
-    let limit = criteria.limit;
-    for retry in 0.. {
-        let stop_reason = merger.run(&criteria, progress)?;
-        let (estimated, scale, removed_count) = (merger.error, merger.space.scale, merger.removed_count);
-        let mesh = merger.finish();
-        let error = if removed_count > 0 { measured_error(&welded.mesh, &mesh) } else { 0.0 };
-        if error <= limit + NOISE * scale {
-            return Ok(Simplified { mesh, error: error.min(limit), stop_reason });
-        }
-        if criteria.limit == 0.0 {
-            break;
-        }
-        let smaller = estimated.min(criteria.limit) * (0.9 * limit / error);
-        criteria.limit = if retry < MAX_RETRIES { smaller } else { 0.0 };
-        merger = Merger::new(welded, &options.sequence);
-    }
-    Ok(Simplified { mesh: welded.mesh.clone(), error: 0.0, stop_reason: criteria.at_limit })
-}
 
 fn check_no_pairs(options: &SequenceOptions) -> Result<(), SimplifyError> {
     let Some(distance) = options.pair_distance else { return Ok(()) };
@@ -163,14 +116,10 @@ pub fn build_welded_placed_fragments_with_progress(
 ) -> Result<BuiltPlaced, SimplifyError> {
     options.sequence.check()?;
     check_no_pairs(&options.sequence)?;
-    // The limit applies to certified errors, not to the estimates of the loop.
-    let sequence = SequenceOptions { max_error: None, ..options.sequence.clone() };
-    let simplify_options =
-        SimplifyOptions::default().with_target(Target::Triangles(0)).with_sequence(sequence);
-    let mut merger = Merger::new(&welded, &simplify_options.sequence)
-        .with_log(options.collapse == PlacedCollapse::Triangle);
-    let criteria = StopCriteria::new(&simplify_options, merger.counts());
-    let mut stop_reason = merger.run(&criteria, progress)?;
+    let mut merger =
+        Merger::new(&welded, &options.sequence).with_log(options.collapse == PlacedCollapse::Triangle);
+    // The error limit applies to certified errors, which are known when all steps are.
+    let mut stop_reason = merger.run(options.sequence.base_triangle_count, progress)?;
     let (Some(log), targets) = merger.into_log() else { unreachable!("the merger was created with a log") };
     let step_count = steps_of(&log).count();
     let PlacedMesh { mut fragmented, mut rows } = build_placed(&welded, (&log, &targets), step_count)?;

@@ -2,7 +2,6 @@
 
 mod edge_choice;
 mod edge_evaluation;
-mod finish;
 mod merge_log;
 
 use glam::DVec3;
@@ -17,12 +16,10 @@ use crate::simplify::scaled_space::ScaledSpace;
 use crate::{Progress, ProgressFn};
 
 use super::blend::Blender;
-use super::distance_tracker::DistanceTracker;
 use super::neighborhood::Neighborhood;
 use super::quadratic_form::StarForm;
 
 use super::seams::merge_wedges;
-use super::stop_criteria::{Counts, StopCriteria};
 use edge_choice::{EdgeChoice, NO_CHOICE, UNDECIDED};
 pub(super) use merge_log::{LoggedMerge, MergeLog};
 
@@ -44,34 +41,29 @@ pub(super) struct Merger<'a> {
     welded: &'a Welded,
     pub(super) space: ScaledSpace,
     positions: Vec<DVec3>,
-    is_moved: Vec<bool>,
     evaluator: CostEvaluator<'a>,
     seams: SeamRule,
     schedule: RelaxationSchedule<'a>,
     stars: Vec<StarData>,
     choices: Vec<EdgeChoice>,
     heap: IndexedHeap,
-    tracker: DistanceTracker,
     neighborhood: Neighborhood,
     other_neighborhood: Neighborhood,
     costs: Vec<f32>,
     ring: Vec<u32>,
     /// Neighbors of the position removed last, each once.
     removed_ring: Vec<u32>,
-    /// Positions whose witnesses must be measured again, and further originals to measure.
+    /// The removed position, the kept one and all that lost their last triangle with the last collapse.
     gone: Vec<u32>,
-    followers: Vec<u32>,
     pairs: Vec<(u32, u32)>,
     /// The vertex that each vertex was merged into, or itself.
     targets: Vec<u32>,
     layers: Vec<AttributeLayer>,
     blender: Blender,
     triangle_count: usize,
-    vertex_count: usize,
     removed: Vec<u32>,
     /// Number of positions removed so far.
-    pub(super) removed_count: usize,
-    pub(super) error: f64,
+    removed_count: usize,
     /// All merges, if a sequence will be built from them.
     log: Option<MergeLog>,
     /// Whether the third vertex of a triangle follows a collapsed edge.
@@ -93,14 +85,12 @@ impl<'a> Merger<'a> {
         Self {
             welded,
             space,
-            is_moved: vec![false; position_count],
             evaluator,
             seams: options.seams,
             schedule: RelaxationSchedule::new(welded, options.topology),
             stars: vec![StarData::default(); position_count],
             choices: vec![NO_CHOICE; position_count],
             heap: IndexedHeap::new(&[]),
-            tracker: DistanceTracker::new(positions.clone()),
             positions,
             neighborhood: Neighborhood::default(),
             other_neighborhood: Neighborhood::default(),
@@ -108,16 +98,13 @@ impl<'a> Merger<'a> {
             ring: Vec::new(),
             removed_ring: Vec::new(),
             gone: Vec::new(),
-            followers: Vec::new(),
             pairs: Vec::new(),
             targets: (0..mesh.vertex_count() as u32).collect(),
             layers: mesh.layers.clone(),
             blender: Blender::new(&mesh.layers),
             triangle_count: mesh.triangle_count(),
-            vertex_count: mesh.vertex_count(),
             removed: Vec::new(),
             removed_count: 0,
-            error: 0.0,
             log: None,
             has_triangle_collapses: false,
             thirds: Vec::new(),
@@ -136,23 +123,12 @@ impl<'a> Merger<'a> {
         (self.log, self.targets)
     }
 
-    pub(super) fn counts(&self) -> Counts {
-        Counts {
-            triangles: self.triangle_count,
-            vertices: self.vertex_count,
-            removable: self.evaluator.is_locked.iter().filter(|is_locked| !**is_locked).count(),
-        }
-    }
-
-    /// Collapses the cheapest edge until the target is reached or no collapse is left.
+    /// Collapses the cheapest edge until no more than `base_triangle_count` triangles are left, or no collapse is.
     pub(super) fn run(
         &mut self,
-        criteria: &StopCriteria,
+        base_triangle_count: usize,
         progress: &mut ProgressFn<'_>,
     ) -> Result<StopReason, SimplifyError> {
-        if let Some(reason) = criteria.stop_reason(self.triangle_count, self.vertex_count, 0) {
-            return Ok(reason);
-        }
         if self.schedule.is_possible() && self.evaluator.wedges.is_some() {
             self.schedule.begin(&mut self.evaluator, (&self.removed, &self.targets));
         }
@@ -161,30 +137,23 @@ impl<'a> Merger<'a> {
         let keys: Vec<f32> = (0..position_count).map(|v| self.provisional_cost(v)).collect();
         self.heap = IndexedHeap::new(&keys);
         drop(keys);
-        let total = criteria.removals.min(self.positions.len()) as u64;
-        while let Some((key, v)) = self.next() {
-            if let Some(reason) =
-                criteria.stop_reason(self.triangle_count, self.vertex_count, self.removed_count)
-            {
-                return Ok(reason);
-            }
+        let total = self.positions.len() as u64;
+        while self.triangle_count > base_triangle_count
+            && let Some((key, v)) = self.next()
+        {
             if !self.has_valid_choice(v) {
                 self.decide(v, key);
                 continue;
             }
             self.find_thirds(v);
-            if !self.collapse(v, criteria.limit) {
-                return Ok(criteria.at_limit);
-            }
-            self.collapse_third(key, criteria);
+            self.collapse(v);
+            self.collapse_third(key);
             let done = self.removed_count as u64;
             if done.is_multiple_of(4096) {
                 Progress { phase: "simplify", done, total }.report(progress)?;
             }
         }
-        Ok(criteria
-            .stop_reason(self.triangle_count, self.vertex_count, self.removed_count)
-            .unwrap_or(criteria.at_base))
+        Ok(StopReason::BaseReached)
     }
 
     /// Returns the position with the smallest key, and that key; begins relaxed collapses if they had
@@ -239,10 +208,9 @@ impl<'a> Merger<'a> {
         self.choices[v as usize] = NO_CHOICE;
     }
 
-    /// Applies the choice of `v` and updates the positions around it. If the error would exceed the
-    /// limit, restores positions and targets and returns false.
-    fn collapse(&mut self, v: u32, limit: f64) -> bool {
-        let EdgeChoice { other, is_kept, position, kind, distance_squared, .. } = self.choices[v as usize];
+    /// Applies the choice of `v` and updates the positions around it.
+    fn collapse(&mut self, v: u32) {
+        let EdgeChoice { other, is_kept, position, kind, .. } = self.choices[v as usize];
         let (removed, kept) = if is_kept { (other, v) } else { (v, other) };
         self.removed_ring.clear();
         self.removed_ring.extend_from_slice(self.evaluator.links.entries(removed));
@@ -264,26 +232,16 @@ impl<'a> Merger<'a> {
         self.move_to(kept, position);
         // Each removed triangle was in both links.
         let removed_triangles = (before - count(&self.evaluator, kept)) / 2;
-        let worst = self.measure_witnesses((removed, kept), kind, removed_triangles).max(distance_squared);
-        let error = self.error.max(f64::from(worst).sqrt() * self.space.scale);
-        if error > limit {
-            self.move_to(kept, old_position);
-            self.welded.positions.wedges(removed).for_each(|w| self.targets[w as usize] = w);
-            return false;
-        }
-        self.error = error;
+        self.note_changes((removed, kept), kind, removed_triangles);
         self.triangle_count -= removed_triangles;
         for &p in self.gone.iter().filter(|&&p| p != kept || self.evaluator.links.triangle_count(kept) == 0) {
-            self.vertex_count -= self.welded.positions.wedges(p).len();
             self.removed_count += 1;
             self.heap.remove(p);
         }
         self.removed.push(removed);
-        self.is_moved[kept as usize] |= position != old_position;
         self.pairs.iter().for_each(|&(from, to)| self.blender.blend(&mut self.layers, from, to, share));
         self.log_merge((removed, kept), position != old_position);
         self.update_ring();
-        true
     }
 
     fn log_merge(&mut self, (removed, kept): (u32, u32), is_moved: bool) {
@@ -315,7 +273,7 @@ impl<'a> Merger<'a> {
 
     /// Merges the cheaper of the found vertices with the one that the last collapse has kept, if it is not too
     /// expensive.
-    fn collapse_third(&mut self, key: f32, criteria: &StopCriteria) {
+    fn collapse_third(&mut self, key: f32) {
         let Some(kept) = self.log.as_ref().and_then(|log| log.merges.last()).map(|merge| merge.kept) else {
             return;
         };
@@ -334,9 +292,8 @@ impl<'a> Merger<'a> {
         }
         if let Some((_, choice)) = best {
             self.choices[kept as usize] = choice;
-            if self.collapse(kept, criteria.limit)
-                && let Some(merge) = self.log.as_mut().and_then(|log| log.merges.last_mut())
-            {
+            self.collapse(kept);
+            if let Some(merge) = self.log.as_mut().and_then(|log| log.merges.last_mut()) {
                 merge.continues = true;
             }
         }
@@ -354,35 +311,21 @@ impl<'a> Merger<'a> {
         self.evaluator.positions[p as usize] = [x, y, z, 0.0];
     }
 
-    /// Measures the witnesses at the ends of a collapsed edge again; returns the largest squared distance.
-    /// Leaves the removed position, the kept one and all that lost their last triangle in `gone`.
-    fn measure_witnesses(
-        &mut self,
-        (removed, kept): (u32, u32),
-        kind: CollapseKind,
-        removed_triangles: usize,
-    ) -> f32 {
+    /// Tells the evaluator about a collapse, and leaves the positions that are gone in `gone`.
+    fn note_changes(&mut self, (removed, kept): (u32, u32), kind: CollapseKind, removed_triangles: usize) {
         let lost_positions =
             self.evaluator.note_collapse(removed, kept, removed_triangles, &self.removed_ring);
         self.gone.clear();
         self.gone.extend([removed, kept]);
-        self.followers.clear();
-        let mut host = kept;
         let mut is_plain = kind == CollapseKind::Strict;
         if let Some(lost_positions) = lost_positions {
             self.gone.extend(lost_positions.positions.iter().filter(|&&p| p != kept));
             is_plain &= lost_positions.positions.is_empty();
-            host = lost_positions.host.unwrap_or(kept);
             self.evaluator.recycle(lost_positions);
         }
         if !is_plain {
             self.evaluator.mark_relaxed();
-            self.evaluator.followers_into(host, 0, &mut self.followers);
-            self.followers.extend_from_slice(&self.gone);
         }
-        let worst = (self.error / self.space.scale).powi(2) as f32;
-        let around = (&mut self.evaluator, self.positions.as_slice());
-        self.tracker.remeasure(around, (&self.gone, &self.followers), host, worst)
     }
 
     fn update_ring(&mut self) {

@@ -1,0 +1,250 @@
+//! Pairs of points of the original and of a level.
+//!
+//! Samples of the original are the centroids of its triangles, or of every n-th one if there are many more than
+//! in the level; those of the level are three points of each triangle. Boundaries have samples of their own,
+//! since a point beyond the boundary is at no distance from the plane of a triangle.
+
+use glam::DVec3;
+
+use super::surface::{Surface, SurfacePoint, share_along};
+use crate::mesh::{Adjacency, Edge, IndexedMesh, MeshError, TriangleTree, index_positions};
+
+/// Samples of the original for each triangle of the level.
+const SAMPLES: f64 = 6.0;
+/// Points of a triangle of the level, each for a third of its area.
+const POINTS: [[f64; 3]; 3] =
+    [[2.0 / 3.0, 1.0 / 6.0, 1.0 / 6.0], [1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0], [1.0 / 6.0, 1.0 / 6.0, 2.0 / 3.0]];
+/// Points of a boundary edge, each for half of its length.
+const EDGE_POINTS: [f64; 2] = [0.2, 0.8];
+/// Distance from a boundary edge beyond which a boundary is another one, as a share of the edge's length.
+const BOUNDARY_REACH: f64 = 0.5;
+/// Cosine between two boundary edges above which they are parts of the same boundary.
+const SAME_EDGE: f64 = 0.5;
+
+/// A point of the level, and the point of the original that it should coincide with.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pair {
+    pub(super) level: SurfacePoint,
+    pub(super) original: SurfacePoint,
+    /// Position of the point of the original.
+    pub(super) target: DVec3,
+    /// Area that the pair stands for.
+    pub(super) area: f64,
+}
+
+/// A point of a boundary edge of the level, and where it should be.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BoundaryPair {
+    pub(super) level: SurfacePoint,
+    /// Direction of the edge, a unit vector.
+    pub(super) along: DVec3,
+    pub(super) target: DVec3,
+    pub(super) area: f64,
+}
+
+/// All pairs between a level and the original.
+pub(super) struct Pairs {
+    pub(super) level: Surface,
+    pub(super) of_surfaces: Vec<Pair>,
+    pub(super) of_boundaries: Vec<BoundaryPair>,
+}
+
+impl Pairs {
+    /// Mean of the squared distances, weighted by area.
+    pub(super) fn mean_square(&self) -> f64 {
+        let squared = |pair: &Pair| pair.area * self.level.at(pair.level).distance_squared(pair.target);
+        let area: f64 = self.of_surfaces.iter().map(|pair| pair.area).sum();
+        self.of_surfaces.iter().map(squared).sum::<f64>() / area.max(f64::MIN_POSITIVE)
+    }
+}
+
+/// A sample of one surface, and the triangle of the other that it was last paired with.
+struct Sample {
+    point: SurfacePoint,
+    area: f64,
+    last: Option<u32>,
+}
+
+impl Sample {
+    fn new(triangle: usize, shares: [f64; 3], area: f64) -> Self {
+        Self { point: SurfacePoint { triangle: triangle as u32, shares }, area, last: None }
+    }
+
+    /// Finds the partner on the other surface.
+    fn partner(&mut self, (own, other): (&Surface, &Surface), near: &mut usize) -> Option<SurfacePoint> {
+        let normal = own.normals[self.point.triangle as usize];
+        let found = other.nearest(own.at(self.point), normal, (near, self.last));
+        self.last = found.map(|point| point.triangle);
+        found
+    }
+}
+
+/// Finds the pairs of a level while its vertices move.
+pub(super) struct Pairing {
+    pub(super) original: Surface,
+    boundary: Boundary,
+    level_sides: Vec<u32>,
+    of_original: Vec<Sample>,
+    of_level: Vec<Sample>,
+}
+
+impl Pairing {
+    /// # Errors
+    /// [`MeshError`] if a mesh is inconsistent.
+    pub(super) fn new(original: &IndexedMesh, level: &IndexedMesh) -> Result<Self, MeshError> {
+        let boundary = Boundary::new(original, &boundary_sides(original));
+        let level_sides = boundary_sides(level);
+        let original = Surface::new(original)?;
+        let samples = SAMPLES * level.triangle_count() as f64;
+        let stride = (original.normals.len() as f64 / samples).max(1.0);
+        let (mut of_original, mut area, mut next) = (Vec::new(), 0.0, 0.5 * (stride - 1.0));
+        for (t, normal) in original.normals.iter().enumerate() {
+            area += 0.5 * normal.length();
+            if t as f64 >= next {
+                next += stride;
+                of_original.push(Sample::new(t, [1.0 / 3.0; 3], std::mem::take(&mut area)));
+            }
+        }
+        let of_level =
+            (0..level.triangle_count()).flat_map(|t| POINTS.map(|shares| Sample::new(t, shares, 0.0)));
+        Ok(Self { original, boundary, level_sides, of_original, of_level: of_level.collect() })
+    }
+
+    /// # Errors
+    /// [`MeshError`] if the level is inconsistent.
+    pub(super) fn pairs(&mut self, level: &IndexedMesh) -> Result<Pairs, MeshError> {
+        let surface = Surface::new(level)?;
+        let mut of_surfaces = Vec::with_capacity(self.of_original.len() + self.of_level.len());
+        // Searches begin where those of neighbors ended, whatever the order of the triangles.
+        let mut near_vertices = vec![u32::MAX; self.original.vertex_count];
+        let mut near_triangles = vec![u32::MAX; level.triangle_count()];
+        for sample in &mut self.of_original {
+            let corners = self.original.triangles[sample.point.triangle as usize];
+            let known = corners.iter().map(|&v| near_vertices[v as usize]).find(|&near| near != u32::MAX);
+            let mut near = known.map_or(usize::MAX, |near| near as usize);
+            let Some(found) = sample.partner((&self.original, &surface), &mut near) else { continue };
+            corners.iter().for_each(|&v| near_vertices[v as usize] = found.triangle);
+            near_triangles[found.triangle as usize] = sample.point.triangle;
+            let target = self.original.at(sample.point);
+            of_surfaces.push(Pair { level: found, original: sample.point, target, area: sample.area });
+        }
+        for sample in &mut self.of_level {
+            let mut near = near_triangles[sample.point.triangle as usize] as usize;
+            let Some(found) = sample.partner((&surface, &self.original), &mut near) else { continue };
+            near_triangles[sample.point.triangle as usize] = found.triangle;
+            let area = surface.normals[sample.point.triangle as usize].length() / (2 * POINTS.len()) as f64;
+            let target = self.original.at(found);
+            of_surfaces.push(Pair { level: sample.point, original: found, target, area });
+        }
+        let of_boundaries = self.boundary.pairs_with(&Boundary::new(level, &self.level_sides));
+        Ok(Pairs { level: surface, of_surfaces, of_boundaries })
+    }
+}
+
+/// The boundary edges of a mesh.
+struct Boundary {
+    edges: Vec<BoundaryEdge>,
+    /// The edges as triangles without area.
+    tree: TriangleTree,
+}
+
+struct BoundaryEdge {
+    ends: [DVec3; 2],
+    triangle: u32,
+    /// Corner of the triangle at which the edge begins.
+    corner: usize,
+}
+
+impl BoundaryEdge {
+    /// Point with this share of the end.
+    fn point(&self, share: f64) -> SurfacePoint {
+        let mut shares = [0.0; 3];
+        (shares[self.corner], shares[(self.corner + 1) % 3]) = (1.0 - share, share);
+        SurfacePoint { triangle: self.triangle, shares }
+    }
+
+    fn side(&self) -> DVec3 {
+        self.ends[1] - self.ends[0]
+    }
+
+    fn is_parallel(&self, other: &Self) -> bool {
+        let (a, b) = (self.side(), other.side());
+        a.dot(b) > SAME_EDGE * (a.length_squared() * b.length_squared()).sqrt()
+    }
+}
+
+/// Sides of triangles that lie on the boundary.
+fn boundary_sides(mesh: &IndexedMesh) -> Vec<u32> {
+    let position_of = index_positions(&mesh.positions);
+    let triangles = mesh.triangles.iter().map(|t| t.map(|v| position_of[v as usize])).collect();
+    let adjacency = Adjacency::of_triangles(triangles, position_of.len());
+    let boundary = adjacency.edges().filter(|edge| is_boundary(&adjacency, edge));
+    boundary.flat_map(|edge| edge.sides().collect::<Vec<_>>()).collect()
+}
+
+/// Whether the surface ends at an edge. The triangles of a sheet that is modeled from both sides coincide.
+pub(super) fn is_boundary(adjacency: &Adjacency, edge: &Edge<'_>) -> bool {
+    let third = |side: u32| adjacency.triangles()[side as usize / 3][(side as usize + 2) % 3];
+    let mut thirds = edge.sides().map(third);
+    let first = thirds.next();
+    thirds.all(|other| Some(other) == first)
+}
+
+impl Boundary {
+    /// The boundary that consists of these sides, `3 * triangle + corner`.
+    fn new(mesh: &IndexedMesh, sides: &[u32]) -> Self {
+        let edge = |&side: &u32| {
+            let (triangle, corner) = (side / 3, side as usize % 3);
+            let [start, end] = [corner, (corner + 1) % 3].map(|k| mesh.triangles[triangle as usize][k]);
+            let ends = [start, end].map(|v| DVec3::from(mesh.positions[v as usize].map(f64::from)));
+            BoundaryEdge { ends, triangle, corner }
+        };
+        let edges: Vec<BoundaryEdge> = sides.iter().map(edge).collect();
+        let flat = edges.iter().map(|edge| {
+            let [a, b] = edge.ends.map(|end| end.to_array().map(|x| x as f32));
+            [a, b, b]
+        });
+        let tree = TriangleTree::from_corners(flat.collect());
+        Self { edges, tree }
+    }
+
+    fn nearest(&self, point: DVec3, near: &mut usize) -> Option<&BoundaryEdge> {
+        self.tree.distance_from_hint(point.to_array(), near);
+        self.edges.get(*near)
+    }
+
+    /// Pairs points of this boundary of the original with those of a level's.
+    fn pairs_with(&self, level: &Self) -> Vec<BoundaryPair> {
+        let mut pairs = Vec::new();
+        let mut add = |edge: &BoundaryEdge, share: f64, target: DVec3, length: f64| {
+            let along = edge.side().normalize_or_zero();
+            let away = edge.ends[0].lerp(edge.ends[1], share).distance_squared(target);
+            if away > BOUNDARY_REACH * BOUNDARY_REACH * edge.side().length_squared() {
+                return;
+            }
+            // What the boundary sweeps, as if it were as wide as the edge is long.
+            let area = length * edge.side().length();
+            pairs.push(BoundaryPair { level: edge.point(share), along, target, area });
+        };
+        let mut near = usize::MAX;
+        for own in &self.edges {
+            let middle = 0.5 * (own.ends[0] + own.ends[1]);
+            let Some(edge) = level.nearest(middle, &mut near).filter(|edge| edge.is_parallel(own)) else {
+                continue;
+            };
+            add(edge, share_along(middle, edge.ends[0], edge.ends[1]), middle, own.side().length());
+        }
+        near = usize::MAX;
+        for edge in &level.edges {
+            for share in EDGE_POINTS {
+                let point = edge.ends[0].lerp(edge.ends[1], share);
+                let Some(own) = self.nearest(point, &mut near).filter(|own| own.is_parallel(edge)) else {
+                    continue;
+                };
+                let along = share_along(point, own.ends[0], own.ends[1]);
+                add(edge, share, own.ends[0].lerp(own.ends[1], along), 0.5 * edge.side().length());
+            }
+        }
+        pairs
+    }
+}

@@ -1,0 +1,165 @@
+//! A surface, and the point of it that is nearest to another point.
+
+use glam::DVec3;
+
+use crate::mesh::{IndexedMesh, MeshError, TriangleTree};
+
+/// Cosine between the normals of two triangles above which they face the same side.
+const SAME_SIDE: f64 = 0.2;
+/// Multiple of the distance to the nearest triangle within which one that faces the same side is looked for,
+/// with a share of the diagonal added.
+const REACH: f64 = 3.0;
+const REACH_SHARE: f64 = 0.005;
+
+/// A point of a triangle, by the shares of its corners.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SurfacePoint {
+    pub(super) triangle: u32,
+    pub(super) shares: [f64; 3],
+}
+
+/// The triangles of a mesh, or its edges as triangles without area.
+pub(super) struct Surface {
+    pub(super) tree: TriangleTree,
+    pub(super) corners: Vec<[DVec3; 3]>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    pub(super) vertex_count: usize,
+    /// Normals of the triangles, as long as twice their area.
+    pub(super) normals: Vec<DVec3>,
+    reach: f64,
+}
+
+impl Surface {
+    /// # Errors
+    /// [`MeshError`] if the mesh is inconsistent.
+    pub(super) fn new(mesh: &IndexedMesh) -> Result<Self, MeshError> {
+        let at = |v: u32| DVec3::from(mesh.positions[v as usize].map(f64::from));
+        let corners: Vec<[DVec3; 3]> = mesh.triangles.iter().map(|t| t.map(at)).collect();
+        let normals = corners.iter().map(|[a, b, c]| (*b - *a).cross(*c - *a)).collect();
+        let tree = TriangleTree::new(mesh)?;
+        let (triangles, vertex_count) = (mesh.triangles.clone(), mesh.vertex_count());
+        Ok(Self { tree, corners, triangles, vertex_count, normals, reach: REACH_SHARE * mesh.diagonal() })
+    }
+
+    pub(super) fn at(&self, point: SurfacePoint) -> DVec3 {
+        let [a, b, c] = self.corners[point.triangle as usize];
+        let [u, v, w] = point.shares;
+        u * a + v * b + w * c
+    }
+
+    /// Finds the nearest point on a triangle that faces the same side as `normal`; `None` if there is none
+    /// within reach. `last` is the triangle that was found when neither surface had moved yet.
+    pub(super) fn nearest(
+        &self,
+        point: DVec3,
+        normal: DVec3,
+        (near, last): (&mut usize, Option<u32>),
+    ) -> Option<SurfacePoint> {
+        let on = |triangle: usize| SurfacePoint {
+            triangle: triangle as u32,
+            shares: nearest_shares(point, self.corners[triangle]),
+        };
+        if let Some(last) = last {
+            let found = on(last as usize);
+            // Above the inside of a triangle, no neighbor is nearer after a small move.
+            if found.shares.iter().all(|&share| share > 0.0) {
+                return Some(found);
+            }
+            *near = last as usize;
+        }
+        let faces_side = |triangle: usize| {
+            let other = self.normals[triangle];
+            normal.dot(other) > SAME_SIDE * (normal.length_squared() * other.length_squared()).sqrt()
+        };
+        let distance = self.tree.distance_from_hint(point.to_array(), near);
+        let mut found = *near;
+        if found < self.corners.len() && !faces_side(found) {
+            let mut least = REACH * distance + self.reach;
+            found = usize::MAX;
+            self.tree.visit_within(point.to_array(), least, |candidate, away| {
+                if away < least && faces_side(candidate) {
+                    (found, least) = (candidate, away);
+                }
+                least
+            });
+        }
+        (found < self.corners.len()).then(|| on(found))
+    }
+}
+
+/// Shares of the corners at the point of a triangle that is nearest to `point`.
+pub(super) fn nearest_shares(point: DVec3, [a, b, c]: [DVec3; 3]) -> [f64; 3] {
+    let normal = (b - a).cross(c - a);
+    let squared = normal.length_squared();
+    if squared > 0.0 {
+        let parts = [(c - b).cross(point - b), (a - c).cross(point - c), (b - a).cross(point - a)];
+        let shares = parts.map(|part| part.dot(normal) / squared);
+        if shares.iter().all(|&share| share >= 0.0) {
+            return shares;
+        }
+    }
+    let mut best = (f64::INFINITY, [1.0, 0.0, 0.0]);
+    for (corner, (start, end)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
+        let along = share_along(point, start, end);
+        let away = (start.lerp(end, along) - point).length_squared();
+        if away < best.0 {
+            let mut shares = [0.0; 3];
+            (shares[corner], shares[(corner + 1) % 3]) = (1.0 - along, along);
+            best = (away, shares);
+        }
+    }
+    best.1
+}
+
+/// Share of the end at the point of a segment that is nearest to `point`.
+pub(super) fn share_along(point: DVec3, start: DVec3, end: DVec3) -> f64 {
+    let side = end - start;
+    let squared = side.length_squared();
+    if squared > 0.0 { ((point - start).dot(side) / squared).clamp(0.0, 1.0) } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_lead_to_the_nearest_point() {
+        let triangle = [DVec3::ZERO, DVec3::new(4.0, 0.0, 0.0), DVec3::new(0.0, 2.0, 0.0)];
+        let cases = [
+            ([1.0, 0.5, 3.0], [1.0, 0.5, 0.0]),
+            ([-1.0, 1.0, 1.0], [0.0, 1.0, 0.0]),
+            ([5.0, -3.0, 0.0], [4.0, 0.0, 0.0]),
+            ([3.0, 3.0, 0.0], [2.0, 1.0, 0.0]),
+        ];
+        for (point, expected) in cases {
+            let [u, v, w] = nearest_shares(DVec3::from(point), triangle);
+            let found = u * triangle[0] + v * triangle[1] + w * triangle[2];
+            assert!((found - DVec3::from(expected)).length() < 1e-12, "{point:?}: {found}");
+        }
+        let flat = [DVec3::ZERO, DVec3::X, DVec3::X];
+        assert_eq!(nearest_shares(DVec3::new(0.25, 1.0, 0.0), flat)[1], 0.25);
+    }
+
+    #[test]
+    fn the_other_side_of_a_sheet_is_not_found() {
+        let at = |x: f32, y: f32, z: f32| [x, y, z];
+        let positions = vec![
+            at(0.0, 0.0, 0.0),
+            at(1.0, 0.0, 0.0),
+            at(0.0, 1.0, 0.0),
+            at(0.0, 0.0, -0.005),
+            at(1.0, 0.0, -0.005),
+            at(0.0, 1.0, -0.005),
+        ];
+        let sheet = IndexedMesh::new(positions, vec![[0, 1, 2], [3, 5, 4]]);
+        let surface = Surface::new(&sheet).expect("a valid mesh");
+        for (normal, expected) in [(DVec3::Z, 0), (DVec3::NEG_Z, 1)] {
+            let mut near = usize::MAX;
+            let found = surface.nearest(DVec3::new(0.2, 0.2, 0.001), normal, (&mut near, None));
+            assert_eq!(found.map(|point| point.triangle), Some(expected));
+        }
+        assert!(
+            surface.nearest(DVec3::new(0.2, 0.2, 0.001), DVec3::X, (&mut usize::MAX.clone(), None)).is_none()
+        );
+    }
+}
