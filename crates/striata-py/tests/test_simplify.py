@@ -214,9 +214,7 @@ def test_optimal_placement_interpolates(terrain):
     check_mesh(made.points, made.faces)
     assert made.vertices is None and made.attributes["label"].dtype == label.dtype
     assert set(made.attributes["label"]) <= set(range(7))
-    # Both are fitted on their own.
-    difference = np.abs(made.attributes["height"] - made.points[:, 2])
-    assert difference.mean() < 0.05 and difference.max() < 0.3
+    assert np.abs(made.attributes["height"] - made.points[:, 2]).max() < 0.05
     chosen = striata.simplify(*terrain, ratio=0.1)
     rms = [striata.distance(terrain, tuple(m)[:2], samples=50_000).rms for m in (made, chosen)]
     assert rms[0] < rms[1]

@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 
 use glam::{DMat4, DVec3};
 use striata::mesh::IndexedMesh;
-use striata::simplify::{SequenceOptions, Simplified, SimplifyError, fit_level_with_progress};
+use striata::simplify::{SequenceOptions, Simplified, SimplifyError, fit_within};
 use striata::{Cancelled, Lod, LodOptions, Progress, ProgressFn, Target, ignore_progress};
 use striata_io::Scene;
 
@@ -194,7 +194,7 @@ impl LodScene {
         lods.map(|(mesh, lod)| Some(level_of(mesh, lod.as_ref()?))).collect()
     }
 
-    /// Returns the meshes of a level like [`level_meshes`](Self::level_meshes), [fitted](fit_level_with_progress) to
+    /// Returns the meshes of a level like [`level_meshes`](Self::level_meshes), [fitted](fit_within) to
     /// the full meshes, with the error of the level in units of the scene. Meshes with skins or morph targets stay
     /// as they are.
     ///
@@ -206,30 +206,42 @@ impl LodScene {
         fitting: &Fitting<'_>,
         progress: &mut ProgressFn<'_>,
     ) -> Result<FittedMeshes, BuildError> {
-        let mut meshes = self.level_meshes(level);
+        let mut splits = level.split_counts.clone();
+        splits.resize(self.lods().len(), usize::MAX);
+        let mut meshes = Vec::with_capacity(splits.len());
         let (mut error, mut fitted_count) = (0.0f64, 0);
-        for (index, mesh) in meshes.iter_mut().enumerate() {
-            let (Some(lod), Some(made)) = (&self.lods()[index], mesh.as_mut()) else { continue };
-            let split_count = level.split_counts.get(index).copied().unwrap_or(usize::MAX);
-            let scale = self.levels().weight(index).map_or(1.0, |weight| weight.scale);
-            let own = f64::from(lod.sequence().error_at(split_count.min(lod.step_count())));
-            let original = lod.mesh();
-            if original.layers.iter().any(|layer| layer.semantic.is_of_poses())
-                || !(fitting.selects)(original)
-            {
-                error = error.max(own * scale);
+        for (index, lod) in self.lods().iter().enumerate() {
+            let Some(lod) = lod else {
+                meshes.push(None);
                 continue;
+            };
+            let weight = self.levels().weight(index).unwrap_or_default();
+            let levels = lod.sequence().levels();
+            let coarsest = splits[index].min(lod.step_count());
+            let mut level_within = |limit: f64| {
+                splits[index] = coarsest.max(levels.split_count_for_error(limit));
+                let mesh = lod.level_mesh(Target::SplitCount(splits[index]));
+                let error = f64::from(levels.error_at(splits[index]));
+                Simplified { mesh, error, stop_reason: level.stop_reason }
+            };
+            let original = lod.mesh();
+            let is_rigged = original.layers.iter().any(|layer| layer.semantic.is_of_poses());
+            let made = if is_rigged || !(fitting.selects)(original) {
+                level_within(f64::INFINITY)
+            } else {
+                fitted_count += 1;
+                let max_error = fitting.max_error / weight.scale;
+                let fitted = fit_within(original, level_within, fitting.options, max_error, progress);
+                let name = || self.scene().mesh_name(index).to_owned();
+                fitted.map_err(|error| BuildError::new(index, name(), error))?
+            };
+            if weight.instance_count > 0 {
+                error = error.max(made.error * weight.scale);
             }
-            let kept = Simplified { mesh: std::mem::take(made), error: own, stop_reason: level.stop_reason };
-            let fitted =
-                fit_level_with_progress(original, kept, fitting.options, fitting.max_error / scale, progress);
-            let name = || self.scene().mesh_name(index).to_owned();
-            let fitted = fitted.map_err(|error| BuildError::new(index, name(), error))?;
-            error = error.max(fitted.error * scale);
-            fitted_count += 1;
-            *made = fitted.mesh;
+            meshes.push(Some(made.mesh));
         }
-        Ok(FittedMeshes { meshes, error, fitted_count })
+        let level = SceneLevel { error, ..self.levels().with_splits(level, splits) };
+        Ok(FittedMeshes { meshes, level, fitted_count })
     }
 
     /// Returns the triangles of a level as index lists over the vertices of [`full_scene`](Self::full_scene): for
@@ -268,7 +280,7 @@ pub struct Fitting<'a> {
     pub selects: &'a dyn Fn(&IndexedMesh) -> bool,
     /// What must not move.
     pub options: &'a SequenceOptions,
-    /// A mesh stays as it is if its error would exceed this, in units of the scene.
+    /// Largest measured error of a fitted mesh, in units of the scene; meshes are made finer for it.
     pub max_error: f64,
 }
 
@@ -277,9 +289,9 @@ pub struct Fitting<'a> {
 pub struct FittedMeshes {
     /// The meshes, for [`Scene::with_meshes`].
     pub meshes: Vec<Option<IndexedMesh>>,
-    /// Largest error of all meshes, in units of the scene.
-    pub error: f64,
-    /// Number of meshes that were to be fitted.
+    /// The level, finer where a fitted mesh would have exceeded the error limit, with its error.
+    pub level: SceneLevel,
+    /// Number of meshes that were fitted.
     pub fitted_count: usize,
 }
 

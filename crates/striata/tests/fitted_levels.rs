@@ -7,7 +7,7 @@ use striata::mesh::{
     surface_distance, weld,
 };
 use striata::simplify::{
-    Placement, SequenceOptions, Simplified, SimplifyOptions, Target, fit_level, simplify,
+    Placement, SequenceOptions, Simplified, SimplifyOptions, Target, fit_level, fit_within, simplify,
 };
 
 fn level_of(mesh: &IndexedMesh, triangles: usize) -> Simplified {
@@ -16,7 +16,7 @@ fn level_of(mesh: &IndexedMesh, triangles: usize) -> Simplified {
 }
 
 fn fitted(mesh: &IndexedMesh, level: &Simplified, options: &SequenceOptions) -> IndexedMesh {
-    let fitted = fit_level(mesh, level.clone(), options, f64::INFINITY).expect("a valid mesh");
+    let fitted = fit_level(mesh, level.clone(), options).expect("a valid mesh");
     fitted.mesh.check().expect("a valid mesh");
     assert_eq!((&fitted.mesh.triangles, &fitted.mesh.groups), (&level.mesh.triangles, &level.mesh.groups));
     fitted.mesh
@@ -152,11 +152,29 @@ fn numbers_that_are_not_finite_do_not_spread() {
 }
 
 #[test]
-fn levels_beyond_the_limit_stay() {
+fn levels_beyond_the_limit_become_finer() {
     let mesh = shapes::icosphere(4, 1.0);
-    let level = level_of(&mesh, 300);
-    let same = fit_level(&mesh, level.clone(), &SequenceOptions::default(), 1e-4).expect("a valid mesh");
-    assert_eq!((same.mesh, same.error), (level.mesh, level.error));
+    let coarse = level_of(&mesh, 300);
+    let none = SequenceOptions::default();
+    let mut limits = Vec::new();
+    let level_within = |limit: f64| {
+        limits.push(limit);
+        let finer = SimplifyOptions::default().with_target(Target::Error(limit));
+        if limits.len() == 1 { coarse.clone() } else { simplify(&mesh, &finer).expect("a valid mesh") }
+    };
+    let level =
+        fit_within(&mesh, level_within, &none, 2e-3, &mut striata::ignore_progress).expect("a valid mesh");
+    assert!(level.error <= 2e-3 && level.mesh.triangle_count() > 300, "{}", level.error);
+    assert!(limits.len() > 1 && limits.is_sorted_by(|a, b| a > b), "{limits:?}");
+    // Nothing but the full mesh is within 0.
+    let full = fit_within(
+        &mesh,
+        |limit| level_of(&mesh, if limit > 0.0 { 300 } else { 1 << 20 }),
+        &none,
+        0.0,
+        &mut striata::ignore_progress,
+    );
+    assert_eq!(full.expect("a valid mesh").mesh.triangle_count(), mesh.triangle_count());
 }
 
 #[test]

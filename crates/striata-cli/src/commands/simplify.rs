@@ -5,7 +5,7 @@ use std::time::Instant;
 use serde::Serialize;
 use serde_json::Value;
 use striata::mesh::{DistanceOptions, IndexedMesh, surface_distance, weld};
-use striata::simplify::{Placement, Simplified, StopReason, Target, fit_level_with_progress};
+use striata::simplify::{Placement, Simplified, StopReason, Target, fit_within};
 
 use super::scene::{self, check_outputs};
 use crate::args::{PlacementArg, SimplifyArgs};
@@ -106,13 +106,17 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let mut simplify_secs = simplify_started.elapsed().as_secs_f64();
     for request in &requests {
         let level_started = Instant::now();
-        let mut simplified = level_of(&made, request.target);
-        if is_fitted && let SequencePlan::Quadric { options, .. } = &plan {
-            let limit = fitting_limit(request);
-            let report = &mut |progress| bar.show(progress);
-            simplified = fit_level_with_progress(&mesh, simplified, options, limit, report)
-                .map_err(|error| in_file(error.into()))?;
-        }
+        let resolved = resolve(&made, request.target);
+        let simplified = match &plan {
+            SequencePlan::Quadric { options, .. } if is_fitted => {
+                let split_count = |limit| resolved.0.max(made.steps.levels().split_count_for_error(limit));
+                let level_within = |limit| level_at(&made, (split_count(limit), resolved.1));
+                let report = &mut |progress| bar.show(progress);
+                fit_within(&mesh, level_within, options, fitting_limit(request), report)
+                    .map_err(|error| in_file(error.into()))?
+            }
+            _ => level_at(&made, resolved),
+        };
         simplify_secs += level_started.elapsed().as_secs_f64();
         let mut level = LevelReport::new(request, &simplified, &coarsening_limit);
         check_strict(args.strict, request.name.as_deref(), level.shortfall.as_deref())?;
@@ -229,11 +233,11 @@ fn limits(args: &SimplifyArgs, requests: &[LevelRequest], diagonal: f64) -> Limi
     limits
 }
 
-/// Returns a level of a sequence; the coarsest one if there is no target.
-fn level_of(sequenced: &SimplifiedSteps, target: Option<Target>) -> Simplified {
+/// Returns the split count of a level, the coarsest one if there is no target, and how well it meets the target.
+fn resolve(sequenced: &SimplifiedSteps, target: Option<Target>) -> (usize, StopReason) {
     let SimplifiedSteps { steps, stop_reason: end_reason, .. } = sequenced;
     let (levels, end_reason) = (steps.levels(), *end_reason);
-    let (split_count, stop_reason) = match target {
+    match target {
         None => (0, end_reason),
         Some(target) => match (target.resolve_in(levels), target) {
             // Simplification stopped because every further step would exceed the error: the target is
@@ -244,8 +248,13 @@ fn level_of(sequenced: &SimplifiedSteps, target: Option<Target>) -> Simplified {
             ((at, StopReason::BaseReached), _) => (at, end_reason),
             (resolved, _) => resolved,
         },
-    };
-    let error = f64::from(levels.error_at(split_count));
+    }
+}
+
+/// Returns a level of a sequence.
+fn level_at(sequenced: &SimplifiedSteps, (split_count, stop_reason): (usize, StopReason)) -> Simplified {
+    let steps = &sequenced.steps;
+    let error = f64::from(steps.levels().error_at(split_count));
     Simplified { mesh: steps.level(split_count).without_unused_vertices(), error, stop_reason }
 }
 

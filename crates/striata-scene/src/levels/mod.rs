@@ -271,6 +271,17 @@ impl SceneLevels {
         counts.fold(Counts::default(), Counts::plus)
     }
 
+    /// Returns a level with other split counts and their numbers of triangles and vertices.
+    pub(crate) fn with_splits(&self, level: &SceneLevel, splits: Vec<usize>) -> SceneLevel {
+        let counts = self.counts_of(&splits);
+        SceneLevel {
+            split_counts: splits,
+            triangle_count: counts.triangles,
+            vertex_count: counts.vertices,
+            ..level.clone()
+        }
+    }
+
     fn error_of(&self, splits: &[usize]) -> f64 {
         let shown = self.meshes.iter().zip(splits).filter_map(|(mesh, &s)| Some((mesh.as_ref()?, s)));
         let shown = shown.filter(|(mesh, _)| mesh.weight.instance_count > 0);

@@ -36,7 +36,7 @@ pub use collapse::batches::{
     BatchOptions, BuiltBatches, build_batches, build_batches_with_progress, build_welded_batches,
     build_welded_batches_with_progress,
 };
-pub use fit::{fit_level, fit_level_with_progress};
+pub use fit::{fit_level, fit_level_with_progress, fit_within};
 pub use options::{
     AttributeWeights, BoundaryRule, BuiltSequence, CollapseCost, Placement, SeamRule, SequenceOptions,
     Simplified, SimplifyError, SimplifyOptions, StopReason, Target, TopologyRule,
@@ -165,16 +165,17 @@ pub fn simplify_with_progress(
     if stop_reason == StopReason::BaseReached {
         stop_reason = built.stop_reason;
     }
-    let error = f64::from(sequence.error_at(split_count));
-    let level = replay(&built.refinable, split_count).without_unused_vertices();
-    let level = Simplified { mesh: level, error, stop_reason };
-    match (options.placement, options.target) {
-        (Placement::Subset, _) => Ok(level),
-        (Placement::Optimal, target) => {
-            let target = if let Target::Error(error) = target { Some(error) } else { None };
-            let limits = [target, options.tolerance, options.sequence.max_error];
-            let max_error = limits.into_iter().flatten().fold(f64::INFINITY, f64::min);
-            fit_level_with_progress(mesh, level, &options.sequence, max_error, progress)
-        }
+    let level_at = |split_count: usize| {
+        let error = f64::from(sequence.error_at(split_count));
+        let mesh = replay(&built.refinable, split_count).without_unused_vertices();
+        Simplified { mesh, error, stop_reason }
+    };
+    if options.placement == Placement::Subset {
+        return Ok(level_at(split_count));
     }
+    let target = if let Target::Error(error) = options.target { Some(error) } else { None };
+    let limits = [target, options.tolerance, options.sequence.max_error];
+    let max_error = limits.into_iter().flatten().fold(f64::INFINITY, f64::min);
+    let level_within = |limit| level_at(split_count.max(sequence.split_count_for_error(limit)));
+    fit_within(mesh, level_within, &options.sequence, max_error, progress)
 }

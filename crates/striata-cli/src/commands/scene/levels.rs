@@ -214,7 +214,7 @@ fn write_levels(
             None => None,
         };
         if let Some(fitted) = &fitted {
-            level.error = fitted.error;
+            level = fitted.level.clone();
         }
         if destination.has_error_limit && level.stop_reason == StopReason::BaseReached {
             level.stop_reason = StopReason::ErrorLimit;

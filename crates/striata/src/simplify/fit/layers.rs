@@ -4,7 +4,7 @@
 //! weight is that of a Cauchy estimator, by a scale for each kind of layer.
 
 use super::corner_forms::CornerForm;
-use super::pairs::Pair;
+use super::pairs::{Pair, Pairs};
 use crate::mesh::{Adjacency, AttributeLayer, IndexedMesh, LayerData, Semantic};
 
 /// Sweeps of Gauss-Seidel relaxation; more change results by less than a percent.
@@ -108,7 +108,7 @@ fn materials_of(mesh: &IndexedMesh) -> Vec<u32> {
 }
 
 /// Changes the attributes of all vertices so that the level shows what the original does at its pairs.
-pub(super) fn fit_layers(level: &mut IndexedMesh, pairs: &[Pair], original: &IndexedMesh) {
+pub(super) fn fit_layers(level: &mut IndexedMesh, pairs: &Pairs, original: &IndexedMesh) {
     let rules: Vec<Option<Rule>> = level.layers.iter().map(Rule::of).collect();
     if rules.iter().all(Option::is_none) {
         return;
@@ -116,7 +116,7 @@ pub(super) fn fit_layers(level: &mut IndexedMesh, pairs: &[Pair], original: &Ind
     let (own, others) = (materials_of(level), materials_of(original));
     let has_same_material =
         |pair: &&Pair| own[pair.level.triangle as usize] == others[pair.original.triangle as usize];
-    let pairs: Vec<Pair> = pairs.iter().filter(has_same_material).copied().collect();
+    let pairs: Vec<Pair> = pairs.all().filter(has_same_material).copied().collect();
     let adjacency = Adjacency::of_vertices(level);
     for (layer, rule) in level.layers.iter_mut().zip(&rules) {
         let source = original.layers.iter().find(|source| source.semantic == layer.semantic);

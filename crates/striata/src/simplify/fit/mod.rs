@@ -30,6 +30,8 @@ use positions::Constraints;
 
 /// Number of times that vertices move.
 const MOVES: u64 = 2;
+/// Number of times that a level beyond the error limit is replaced by a finer one before the full mesh is.
+const MAX_RETRIES: usize = 8;
 /// Share of the diagonal that rounding to single precision may add to a distance.
 const NOISE: f64 = 1e-6;
 
@@ -38,8 +40,7 @@ const NOISE: f64 = 1e-6;
 /// Positions, normals, tangents, texture coordinates, colors and other numbers are fitted by least squares;
 /// joints, weights, morph targets and identifiers stay as they are. Vertices that the options lock stay, and
 /// if triangles of a height field must not turn over, positions move along z only. The error of the result is
-/// the largest distance between sampled points of one mesh and the other, measured both ways, mesh units. If it
-/// exceeds `max_error`, the level is returned unchanged.
+/// the largest distance between sampled points of one mesh and the other, measured both ways, mesh units.
 ///
 /// # Errors
 /// [`SimplifyError`] if a mesh is inconsistent.
@@ -51,7 +52,7 @@ const NOISE: f64 = 1e-6;
 ///
 /// let torus = shapes::torus(64, 32, 1.0, 0.4);
 /// let level = simplify(&torus, &SimplifyOptions::default().with_target(Target::Triangles(400)))?;
-/// let fitted = fit_level(&torus, level.clone(), &SequenceOptions::default(), f64::INFINITY)?;
+/// let fitted = fit_level(&torus, level.clone(), &SequenceOptions::default())?;
 /// let rms = |level| surface_distance(&torus, level, &DistanceOptions::default()).map(|distance| distance.rms);
 /// assert!(rms(&fitted.mesh)? < 0.7 * rms(&level.mesh)?);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -60,9 +61,37 @@ pub fn fit_level(
     original: &IndexedMesh,
     level: Simplified,
     options: &SequenceOptions,
-    max_error: f64,
 ) -> Result<Simplified, SimplifyError> {
-    fit_level_with_progress(original, level, options, max_error, &mut ignore_progress)
+    fit_level_with_progress(original, level, options, &mut ignore_progress)
+}
+
+/// Fits the coarsest level whose measured error does not exceed `max_error`, mesh units.
+///
+/// `level_within` returns the level for a limit of the estimated error, which shrinks until the fitted level is
+/// within `max_error`; 0 means the full mesh.
+///
+/// # Errors
+/// See [`fit_level_with_progress`].
+pub fn fit_within(
+    original: &IndexedMesh,
+    mut level_within: impl FnMut(f64) -> Simplified,
+    options: &SequenceOptions,
+    max_error: f64,
+    progress: &mut ProgressFn<'_>,
+) -> Result<Simplified, SimplifyError> {
+    let noise = NOISE * original.diagonal();
+    let mut limit = max_error;
+    for retry in 0.. {
+        let level = level_within(limit);
+        let estimate = level.error;
+        let fitted = fit_level_with_progress(original, level, options, progress)?;
+        if fitted.error <= max_error + noise || limit == 0.0 {
+            return Ok(Simplified { error: fitted.error.min(max_error), ..fitted });
+        }
+        let smaller = estimate.min(limit) * (0.9 * max_error / fitted.error);
+        limit = if retry < MAX_RETRIES { smaller } else { 0.0 };
+    }
+    unreachable!("a limit of 0 ends the loop")
 }
 
 /// Runs [`fit_level`] and reports progress; the callback can cancel.
@@ -73,7 +102,6 @@ pub fn fit_level_with_progress(
     original: &IndexedMesh,
     level: Simplified,
     options: &SequenceOptions,
-    max_error: f64,
     progress: &mut ProgressFn<'_>,
 ) -> Result<Simplified, SimplifyError> {
     options.check_locked(original.vertex_count())?;
@@ -113,13 +141,10 @@ pub fn fit_level_with_progress(
             fitted.exact_positions[v] = moved;
         }
     }
-    layers::fit_layers(&mut fitted, &pairs.of_surfaces, original);
+    layers::fit_layers(&mut fitted, &pairs, original);
     report(MOVES + 1)?;
     let error = measured_error(&pairing.original, &pairs.level, &pairs.of_surfaces);
-    if error > max_error + noise {
-        return Ok(level);
-    }
-    Ok(Simplified { mesh: fitted, error: error.min(max_error), ..level })
+    Ok(Simplified { mesh: fitted, error, ..level })
 }
 
 /// Whether two corners of a triangle share a position.

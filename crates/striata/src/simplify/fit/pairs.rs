@@ -32,14 +32,12 @@ pub(super) struct Pair {
     pub(super) area: f64,
 }
 
-/// A point of a boundary edge of the level, and where it should be.
+/// A pair on the boundaries, whose area is as wide as the level's edge is long.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BoundaryPair {
-    pub(super) level: SurfacePoint,
-    /// Direction of the edge, a unit vector.
+    pub(super) pair: Pair,
+    /// Direction of the level's edge, a unit vector.
     pub(super) along: DVec3,
-    pub(super) target: DVec3,
-    pub(super) area: f64,
 }
 
 /// All pairs between a level and the original.
@@ -50,6 +48,11 @@ pub(super) struct Pairs {
 }
 
 impl Pairs {
+    /// The pairs of surfaces and boundaries.
+    pub(super) fn all(&self) -> impl Iterator<Item = &Pair> {
+        self.of_surfaces.iter().chain(self.of_boundaries.iter().map(|boundary| &boundary.pair))
+    }
+
     /// Mean of the squared distances, weighted by area.
     pub(super) fn mean_square(&self) -> f64 {
         let squared = |pair: &Pair| pair.area * self.level.at(pair.level).distance_squared(pair.target);
@@ -216,23 +219,25 @@ impl Boundary {
     /// Pairs points of this boundary of the original with those of a level's.
     fn pairs_with(&self, level: &Self) -> Vec<BoundaryPair> {
         let mut pairs = Vec::new();
-        let mut add = |edge: &BoundaryEdge, share: f64, target: DVec3, length: f64| {
-            let along = edge.side().normalize_or_zero();
-            let away = edge.ends[0].lerp(edge.ends[1], share).distance_squared(target);
-            if away > BOUNDARY_REACH * BOUNDARY_REACH * edge.side().length_squared() {
-                return;
-            }
-            // What the boundary sweeps, as if it were as wide as the edge is long.
-            let area = length * edge.side().length();
-            pairs.push(BoundaryPair { level: edge.point(share), along, target, area });
-        };
+        // From shares of both edges, and the length that the pair stands for.
+        let mut add =
+            |(edge, share): (&BoundaryEdge, f64), (own, along): (&BoundaryEdge, f64), length: f64| {
+                let target = own.ends[0].lerp(own.ends[1], along);
+                let width = edge.side().length();
+                if edge.ends[0].lerp(edge.ends[1], share).distance(target) <= BOUNDARY_REACH * width {
+                    let (level, original) = (edge.point(share), own.point(along));
+                    let pair = Pair { level, original, target, area: length * width };
+                    pairs.push(BoundaryPair { pair, along: edge.side().normalize_or_zero() });
+                }
+            };
         let mut near = usize::MAX;
         for own in &self.edges {
             let middle = 0.5 * (own.ends[0] + own.ends[1]);
             let Some(edge) = level.nearest(middle, &mut near).filter(|edge| edge.is_parallel(own)) else {
                 continue;
             };
-            add(edge, share_along(middle, edge.ends[0], edge.ends[1]), middle, own.side().length());
+            let share = share_along(middle, edge.ends[0], edge.ends[1]);
+            add((edge, share), (own, 0.5), own.side().length());
         }
         near = usize::MAX;
         for edge in &level.edges {
@@ -242,7 +247,7 @@ impl Boundary {
                     continue;
                 };
                 let along = share_along(point, own.ends[0], own.ends[1]);
-                add(edge, share, own.ends[0].lerp(own.ends[1], along), 0.5 * edge.side().length());
+                add((edge, share), (own, along), 0.5 * edge.side().length());
             }
         }
         pairs

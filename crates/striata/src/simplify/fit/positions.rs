@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use glam::{DMat3, DVec3};
 
 use super::corner_forms::CornerForm;
-use super::pairs::{Pairs, is_boundary};
+use super::pairs::{BoundaryPair, Pairs, is_boundary};
 use super::surface::SurfacePoint;
 use crate::mesh::{Adjacency, IndexedMesh, index_positions};
 use crate::simplify::options::{BoundaryRule, SequenceOptions};
@@ -188,11 +188,11 @@ fn terms_of(places: &Places, pairs: &Pairs) -> Vec<TriangleTerms> {
         let wish = term.direction.dot(away(pair.level, pair.target));
         term.form.add(pair.area, pair.level.shares, [wish]);
     }
-    for pair in &pairs.of_boundaries {
+    for BoundaryPair { pair, along } in &pairs.of_boundaries {
         let away = away(pair.level, pair.target);
         let TriangleTerms { along_normal, across_edges } = &mut terms[pair.level.triangle as usize];
         let normal = along_normal.direction;
-        for direction in [normal, pair.along.cross(normal)] {
+        for direction in [normal, along.cross(normal)] {
             let known = across_edges.iter().position(|term| term.direction == direction);
             let index = known.unwrap_or(across_edges.len());
             if known.is_none() {
@@ -232,16 +232,20 @@ fn solve(
         let scaled = matrix * weight.recip() + DMat3::from_diagonal(DVec3::splat(STIFFNESS));
         scaled.inverse() * weight.recip()
     };
-    let inverses: Vec<DMat3> = (0..moves.len()).map(inverse_at).collect();
+    let mut inverses: Vec<(usize, DMat3)> = (0..moves.len()).map(|p| (p, inverse_at(p))).collect();
+    inverses.retain(|(_, inverse)| *inverse != DMat3::ZERO);
+    // So that the result does not depend on the order of the vertices.
+    let key = |p: usize| places.places[p].to_array().map(f64::to_bits);
+    inverses.sort_unstable_by_key(|&(p, _)| key(p));
     for _ in 0..SWEEPS {
-        for (p, inverse) in inverses.iter().enumerate().filter(|(_, inverse)| **inverse != DMat3::ZERO) {
+        for &(p, inverse) in &inverses {
             let mut rest = DVec3::ZERO;
             for (t, corner) in places.corners_at(p) {
                 for term in terms[t].terms() {
                     rest += term.direction * term.form.rest(corner, term.moved)[0];
                 }
             }
-            moves[p] = *inverse * rest;
+            moves[p] = inverse * rest;
             for (t, corner) in places.corners_at(p) {
                 for term in terms[t].terms_mut() {
                     term.moved[corner] = [term.direction.dot(moves[p])];
