@@ -86,6 +86,26 @@ impl BoxTree {
         self.nodes[node].end = self.nodes.len() as u32;
     }
 
+    /// Follows boxes that have moved: the nodes keep their members and get new bounds, in O(n) time.
+    pub(crate) fn refit(&mut self, boxes: &[AxisBox]) {
+        for node in (0..self.nodes.len()).rev() {
+            let Node { first, count, .. } = self.nodes[node];
+            self.nodes[node].bounds = if count as usize <= LEAF_SIZE {
+                let members = &self.order[first as usize..(first + count) as usize];
+                members.iter().map(|&member| boxes[member as usize]).fold(AxisBox::EMPTY, AxisBox::union)
+            } else {
+                let [low, high] = self.children(node).map(|child| self.nodes[child].bounds);
+                low.union(high)
+            };
+        }
+    }
+
+    /// The children of an inner node.
+    #[inline]
+    fn children(&self, node: usize) -> [usize; 2] {
+        [node + 1, self.nodes[node + 1].end as usize]
+    }
+
     /// Visits the boxes nearer to a point than a limit, a squared distance in f32, roughly from near to
     /// far. `visit` returns the limit for the rest of the search, which may shrink.
     #[inline]
@@ -104,8 +124,8 @@ impl BoxTree {
             }
             return;
         }
-        let children = [node + 1, self.nodes[node + 1].end as usize];
-        let mut costs = children.map(|child| (self.nodes[child].bounds.squared_distance(point), child));
+        let mut costs =
+            self.children(node).map(|child| (self.nodes[child].bounds.squared_distance(point), child));
         if costs[1].0 < costs[0].0 {
             costs.swap(0, 1);
         }
@@ -121,17 +141,30 @@ impl BoxTree {
 mod tests {
     use super::*;
 
+    fn boxes_along_a_line(count: usize, spread: f32) -> Vec<AxisBox> {
+        let at = |i| Vec3A::splat(spread * i as f32);
+        (0..count).map(|i| AxisBox { min: at(i), max: at(i) + 0.5 }).collect()
+    }
+
+    #[test]
+    fn moved_boxes_are_found_where_they_are() {
+        let mut tree = BoxTree::new(&boxes_along_a_line(100, 1.0));
+        tree.refit(&boxes_along_a_line(100, -2.0));
+        for i in 0..100 {
+            let mut seen = Vec::new();
+            tree.visit_near(Vec3A::splat(-2.0 * i as f32), f32::MIN_POSITIVE, |member| {
+                seen.push(member);
+                f32::MIN_POSITIVE
+            });
+            assert!(seen.contains(&i) && seen.len() <= LEAF_SIZE, "{i}: {seen:?}");
+        }
+    }
+
     #[test]
     fn a_search_without_limit_visits_every_box_once() {
         for count in [0, 1, 4, 5, 9, 1000] {
             for spread in [0.0, 1.0] {
-                let boxes: Vec<AxisBox> = (0..count)
-                    .map(|i| {
-                        let min = Vec3A::splat(spread * i as f32);
-                        AxisBox { min, max: min + 0.5 }
-                    })
-                    .collect();
-                let tree = BoxTree::new(&boxes);
+                let tree = BoxTree::new(&boxes_along_a_line(count, spread));
                 let mut seen = Vec::new();
                 tree.visit_near(Vec3A::ZERO, f32::INFINITY, |member| {
                     seen.push(member);

@@ -70,9 +70,30 @@ impl TriangleTree {
         let center = if corners.is_empty() { DVec3::ZERO } else { 0.5 * (min + max) };
         let scale = if half_extent > 0.0 { half_extent.recip() } else { 1.0 };
         let mut tree = Self { boxes: BoxTree::default(), corners, center, scale };
-        let boxes: Vec<AxisBox> = tree.corners.iter().map(|corners| tree.box_of(corners)).collect();
-        tree.boxes = BoxTree::new(&boxes);
+        tree.boxes = BoxTree::new(&tree.boxes_of_corners());
         tree
+    }
+
+    /// Follows triangles whose corners have moved a little; quicker than a new tree.
+    pub(crate) fn move_corners(&mut self, corners: impl Iterator<Item = [[f32; 3]; 3]>) {
+        self.corners.clear();
+        self.corners.extend(corners);
+        let boxes = self.boxes_of_corners();
+        self.boxes.refit(&boxes);
+    }
+
+    fn boxes_of_corners(&self) -> Vec<AxisBox> {
+        self.corners.iter().map(|corners| self.box_of(corners)).collect()
+    }
+
+    /// Whether no point of `points`' convex hull is farther than `distance` from one triangle.
+    pub(crate) fn is_within(&self, triangle: usize, points: &[DVec3; 3], distance: f64) -> bool {
+        // The distance from a convex set is a convex function, so it is largest at a corner.
+        let is_near = |corners| {
+            let mut squared = points.iter().map(|&point| squared_distance_to_triangle(point, corners));
+            squared.all(|squared| squared <= distance * distance)
+        };
+        self.corners.get(triangle).is_some_and(is_near)
     }
 
     /// Corners of a triangle, in mesh units.

@@ -1,9 +1,10 @@
 //! Measures the error of a finished level: the distance between it and the original mesh, both ways.
 //!
-//! All vertices are measured, then the centroids of all triangles. No point of a triangle is farther
-//! away than the distance of its centroid plus its radius; if that exceeds the largest distance so far,
-//! the triangle is split into four, recursively, within a budget of about half as many points as
-//! original triangles.
+//! A triangle whose corners are all near one triangle of the other surface has no farther point, since the
+//! distance from a convex set is convex. Otherwise its corners and its centroid are measured. No point of a
+//! triangle is farther away than the distance of its centroid plus its radius; if that exceeds the largest
+//! distance so far, the triangle is split into four, recursively, within a budget of about half as many points
+//! as original triangles.
 
 use glam::DVec3;
 
@@ -39,11 +40,21 @@ impl FarthestPointSearch<'_> {
         distance + radius <= self.worst
     }
 
-    /// Measures a triangle, and its parts if necessary.
-    fn visit_triangle(&mut self, [a, b, c]: [DVec3; 3], cuts: u32) {
+    /// Whether the hint alone shows that no point of a triangle is farther than the worst point so far.
+    fn is_covered(&self, corners: &[DVec3; 3]) -> bool {
+        self.tree.is_within(self.hint, corners, self.worst)
+    }
+
+    /// Measures a triangle, whose corners have been measured, and its parts if necessary.
+    fn visit_triangle(&mut self, corners: [DVec3; 3], cuts: u32) {
+        let [a, b, c] = corners;
         let middle = (a + b + c) / 3.0;
-        let radius = [a, b, c].iter().map(|corner| corner.distance(middle)).fold(0.0, f64::max);
-        if self.visit(middle, radius) || cuts == 0 {
+        let radius = if cuts == 0 {
+            0.0
+        } else {
+            corners.map(|corner| corner.distance(middle)).into_iter().fold(0.0, f64::max)
+        };
+        if self.visit(middle, radius) || cuts == 0 || self.is_covered(&corners) {
             return;
         }
         let [x, y, z] = [0.5 * (b + c), 0.5 * (c + a), 0.5 * (a + b)];
@@ -58,12 +69,18 @@ impl FarthestPointSearch<'_> {
 fn one_sided_distance(from: &Surface, to: &Surface, near: &[u32], budget: usize, worst: f64) -> f64 {
     let mut search = FarthestPointSearch { tree: &to.tree, hint: 0, worst };
     let cuts = (budget / from.corners.len().max(1)).checked_ilog(4).unwrap_or(0).min(MAX_CUTS);
-    for (&corners, &near) in from.corners.iter().zip(near) {
+    let mut is_measured = vec![false; from.vertex_count];
+    for ((&corners, triangle), &near) in from.corners.iter().zip(&from.triangles).zip(near) {
         if near != u32::MAX {
             search.hint = near as usize;
         }
-        for corner in corners {
-            search.visit(corner, 0.0);
+        if search.is_covered(&corners) {
+            continue;
+        }
+        for (corner, &v) in corners.into_iter().zip(triangle) {
+            if !std::mem::replace(&mut is_measured[v as usize], true) {
+                search.visit(corner, 0.0);
+            }
         }
         search.visit_triangle(corners, cuts);
     }

@@ -121,19 +121,19 @@ pub fn fit_level_with_progress(
         original
     };
     let mut pairing = Pairing::new(original, &fitted)?;
-    let mut pairs = pairing.pairs(&fitted)?;
-    let mean_square = pairs.mean_square();
+    let mut pairs = pairing.pairs(&fitted);
+    let mean_square = pairing.mean_square(&pairs);
     for done in 0..MOVES {
         report(done)?;
         positions::move_vertices(&mut fitted, &pairs, &constraints);
-        pairs = pairing.pairs(&fitted)?;
+        pairs = pairing.pairs(&fitted);
     }
     report(MOVES)?;
     let noise = NOISE * original.diagonal();
-    if pairs.mean_square() > mean_square + noise * noise {
+    if pairing.mean_square(&pairs) > mean_square + noise * noise {
         // Parts that have folded flat may have no useful pairs.
         fitted.positions.clone_from(&level.mesh.positions);
-        pairs = pairing.pairs(&fitted)?;
+        pairs = pairing.pairs(&fitted);
     }
     for v in 0..fitted.exact_positions.len() {
         if fitted.positions[v] != level.mesh.positions[v] {
@@ -143,7 +143,7 @@ pub fn fit_level_with_progress(
     }
     layers::fit_layers(&mut fitted, &pairs, original);
     report(MOVES + 1)?;
-    let error = measured_error(&pairing.original, &pairs.level, &pairs.of_surfaces);
+    let error = measured_error(&pairing.original, &pairing.level, &pairs.of_surfaces);
     Ok(Simplified { mesh: fitted, error, ..level })
 }
 

@@ -42,7 +42,6 @@ pub(super) struct BoundaryPair {
 
 /// All pairs between a level and the original.
 pub(super) struct Pairs {
-    pub(super) level: Surface,
     pub(super) of_surfaces: Vec<Pair>,
     pub(super) of_boundaries: Vec<BoundaryPair>,
 }
@@ -51,13 +50,6 @@ impl Pairs {
     /// The pairs of surfaces and boundaries.
     pub(super) fn all(&self) -> impl Iterator<Item = &Pair> {
         self.of_surfaces.iter().chain(self.of_boundaries.iter().map(|boundary| &boundary.pair))
-    }
-
-    /// Mean of the squared distances, weighted by area.
-    pub(super) fn mean_square(&self) -> f64 {
-        let squared = |pair: &Pair| pair.area * self.level.at(pair.level).distance_squared(pair.target);
-        let area: f64 = self.of_surfaces.iter().map(|pair| pair.area).sum();
-        self.of_surfaces.iter().map(squared).sum::<f64>() / area.max(f64::MIN_POSITIVE)
     }
 }
 
@@ -85,6 +77,8 @@ impl Sample {
 /// Finds the pairs of a level while its vertices move.
 pub(super) struct Pairing {
     pub(super) original: Surface,
+    /// The level as it was when pairs were last found.
+    pub(super) level: Surface,
     boundary: Boundary,
     level_sides: Vec<u32>,
     of_original: Vec<Sample>,
@@ -110,13 +104,21 @@ impl Pairing {
         }
         let of_level =
             (0..level.triangle_count()).flat_map(|t| POINTS.map(|shares| Sample::new(t, shares, 0.0)));
-        Ok(Self { original, boundary, level_sides, of_original, of_level: of_level.collect() })
+        let level = Surface::new(level)?;
+        Ok(Self { original, level, boundary, level_sides, of_original, of_level: of_level.collect() })
     }
 
-    /// # Errors
-    /// [`MeshError`] if the level is inconsistent.
-    pub(super) fn pairs(&mut self, level: &IndexedMesh) -> Result<Pairs, MeshError> {
-        let surface = Surface::new(level)?;
+    /// Mean of the squared distances of pairs, weighted by area.
+    pub(super) fn mean_square(&self, pairs: &Pairs) -> f64 {
+        let squared = |pair: &Pair| pair.area * self.level.at(pair.level).distance_squared(pair.target);
+        let area: f64 = pairs.of_surfaces.iter().map(|pair| pair.area).sum();
+        pairs.of_surfaces.iter().map(squared).sum::<f64>() / area.max(f64::MIN_POSITIVE)
+    }
+
+    /// Finds the pairs of the level that this was made for, whose vertices may have moved.
+    pub(super) fn pairs(&mut self, level: &IndexedMesh) -> Pairs {
+        self.level.move_vertices(&level.positions);
+        let surface = &self.level;
         let mut of_surfaces = Vec::with_capacity(self.of_original.len() + self.of_level.len());
         // Searches begin where those of neighbors ended, whatever the order of the triangles.
         let mut near_vertices = vec![u32::MAX; self.original.vertex_count];
@@ -125,7 +127,7 @@ impl Pairing {
             let corners = self.original.triangles[sample.point.triangle as usize];
             let known = corners.iter().map(|&v| near_vertices[v as usize]).find(|&near| near != u32::MAX);
             let mut near = known.map_or(usize::MAX, |near| near as usize);
-            let Some(found) = sample.partner((&self.original, &surface), &mut near) else { continue };
+            let Some(found) = sample.partner((&self.original, surface), &mut near) else { continue };
             corners.iter().for_each(|&v| near_vertices[v as usize] = found.triangle);
             near_triangles[found.triangle as usize] = sample.point.triangle;
             let target = self.original.at(sample.point);
@@ -133,14 +135,14 @@ impl Pairing {
         }
         for sample in &mut self.of_level {
             let mut near = near_triangles[sample.point.triangle as usize] as usize;
-            let Some(found) = sample.partner((&surface, &self.original), &mut near) else { continue };
+            let Some(found) = sample.partner((surface, &self.original), &mut near) else { continue };
             near_triangles[sample.point.triangle as usize] = found.triangle;
             let area = surface.normals[sample.point.triangle as usize].length() / (2 * POINTS.len()) as f64;
             let target = self.original.at(found);
             of_surfaces.push(Pair { level: sample.point, original: found, target, area });
         }
         let of_boundaries = self.boundary.pairs_with(&Boundary::new(level, &self.level_sides));
-        Ok(Pairs { level: surface, of_surfaces, of_boundaries })
+        Pairs { of_surfaces, of_boundaries }
     }
 }
 

@@ -35,10 +35,22 @@ impl Surface {
     pub(super) fn new(mesh: &IndexedMesh) -> Result<Self, MeshError> {
         let at = |v: u32| DVec3::from(mesh.positions[v as usize].map(f64::from));
         let corners: Vec<[DVec3; 3]> = mesh.triangles.iter().map(|t| t.map(at)).collect();
-        let normals = corners.iter().map(|[a, b, c]| (*b - *a).cross(*c - *a)).collect();
+        let normals = corners.iter().map(doubled_normal).collect();
         let tree = TriangleTree::new(mesh)?;
         let (triangles, vertex_count) = (mesh.triangles.clone(), mesh.vertex_count());
         Ok(Self { tree, corners, triangles, vertex_count, normals, reach: REACH_SHARE * mesh.diagonal() })
+    }
+
+    /// Follows vertices that have moved a little.
+    pub(super) fn move_vertices(&mut self, positions: &[[f32; 3]]) {
+        let at = |v: u32| DVec3::from(positions[v as usize].map(f64::from));
+        for ((corners, normal), triangle) in
+            self.corners.iter_mut().zip(&mut self.normals).zip(&self.triangles)
+        {
+            *corners = triangle.map(at);
+            *normal = doubled_normal(corners);
+        }
+        self.tree.move_corners(self.triangles.iter().map(|t| t.map(|v| positions[v as usize])));
     }
 
     pub(super) fn at(&self, point: SurfacePoint) -> DVec3 {
@@ -85,6 +97,10 @@ impl Surface {
         }
         (found < self.corners.len()).then(|| on(found))
     }
+}
+
+fn doubled_normal(&[a, b, c]: &[DVec3; 3]) -> DVec3 {
+    (b - a).cross(c - a)
 }
 
 /// Shares of the corners at the point of a triangle that is nearest to `point`.
