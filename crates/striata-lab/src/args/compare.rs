@@ -144,7 +144,7 @@ pub(crate) struct AssetArgs {
         long,
         value_name = "NAME,...",
         value_delimiter = ',',
-        default_value = "striata,meshoptimizer,meshoptimizer-permissive,gltfpack,gltfpack-sp",
+        default_value = "striata,striata-subset,meshoptimizer,meshoptimizer-permissive,gltfpack,gltfpack-sp",
         hide_possible_values = true
     )]
     pub(crate) contenders: Vec<AssetContender>,
@@ -153,8 +153,10 @@ pub(crate) struct AssetArgs {
 /// A simplifier of assets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum AssetContender {
-    /// striata with default options.
+    /// One level of striata with default options: its vertices are fitted to the original.
     Striata,
+    /// A level of striata that keeps vertices of the original, as levels that share vertices do.
+    StriataSubset,
     /// meshoptimizer, keeping seams.
     Meshoptimizer,
     /// meshoptimizer, collapsing across seams.
@@ -170,6 +172,7 @@ impl AssetContender {
     pub(crate) const fn as_str(self) -> &'static str {
         match self {
             Self::Striata => "striata",
+            Self::StriataSubset => "striata-subset",
             Self::Meshoptimizer => "meshoptimizer",
             Self::MeshoptimizerPermissive => "meshoptimizer-permissive",
             Self::Gltfpack => "gltfpack",
@@ -194,12 +197,12 @@ pub(crate) struct StripifierArgs {
         value_parser = clap::value_parser!(u32).range(1..=999)
     )]
     pub(crate) tunnels: Vec<u32>,
-    /// Kinds of tunneling: published, per-path, static, grown, tunnel
+    /// Kinds of tunneling: published, per-path, shortest-first, static, grown, tunnel
     #[arg(
         long,
         value_name = "NAME,...",
         value_delimiter = ',',
-        default_value = "published,per-path,static,grown,tunnel",
+        default_value = "published,per-path,shortest-first,static,grown,tunnel",
         hide_possible_values = true
     )]
     pub(crate) tunnel_searches: Vec<Tunneling>,

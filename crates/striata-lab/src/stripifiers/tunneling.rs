@@ -5,7 +5,7 @@ use striata::mesh::{DualGraph, IndexedMesh, MeshError};
 use striata::strip::StripLinks;
 use striata_strip::{StripOptions, Stripifier, stripify};
 
-use super::{Identities, TunnelOptions, Visits, join_along_tunnels, strips_of};
+use super::{Identities, Lengths, TunnelOptions, Visits, join_along_tunnels, strips_of};
 
 /// A kind of tunneling.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -14,6 +14,8 @@ pub enum Tunneling {
     Published,
     /// To the letter of \[PS03\], with each triangle visited once per path.
     PerPath,
+    /// As `PerPath`, but longer tunnels are searched once no end has a shorter one.
+    ShortestFirst,
     /// The predecessor \[Ste01\] with static identities.
     Static,
     /// Our growth of strips, then the search of \[PS03\], once per path.
@@ -24,11 +26,12 @@ pub enum Tunneling {
 
 impl Tunneling {
     /// All kinds, from the published ones to ours.
-    pub const ALL: [Self; 5] = [Self::Published, Self::PerPath, Self::Static, Self::Grown, Self::Tunnel];
+    pub const ALL: [Self; 6] =
+        [Self::Published, Self::PerPath, Self::ShortestFirst, Self::Static, Self::Grown, Self::Tunnel];
 
     /// What the names mean.
     pub const LEGEND: &str = "published: from single triangles, each visited once per search; per-path: once per \
-        path; static: with the identities from before each search; grown: strips are grown first; tunnel: ours, \
+        path; shortest-first: once per path, and longer tunnels only where no end has a shorter one; static: with the identities from before each search; grown: strips are grown first; tunnel: ours, \
         which also moves ends.";
 
     /// Returns the name in reports.
@@ -36,6 +39,7 @@ impl Tunneling {
         match self {
             Self::Published => "published",
             Self::PerPath => "per-path",
+            Self::ShortestFirst => "shortest-first",
             Self::Static => "static",
             Self::Grown => "grown",
             Self::Tunnel => "tunnel",
@@ -51,7 +55,13 @@ impl Tunneling {
             let options = StripOptions::default().with_stripifier(Stripifier::Tunnel { max_length });
             stripify(mesh, &options.with_seed(seed))
         };
-        let published = |identities, visits| TunnelOptions { max_length, identities, visits, seed };
+        let published = |identities, visits| {
+            let lengths = match self {
+                Self::ShortestFirst => Lengths::ShortestFirst,
+                _ => Lengths::AnyAtOnce,
+            };
+            TunnelOptions { max_length, lengths, identities, visits, seed }
+        };
         let from_none = |options: TunnelOptions| {
             strips_of(mesh, |triangles, links| {
                 join_along_tunnels(triangles, links, &options);
@@ -59,7 +69,9 @@ impl Tunneling {
         };
         let strips = match self {
             Self::Published => from_none(published(Identities::Dynamic, Visits::OncePerSearch))?,
-            Self::PerPath => from_none(published(Identities::Dynamic, Visits::OncePerPath))?,
+            Self::PerPath | Self::ShortestFirst => {
+                from_none(published(Identities::Dynamic, Visits::OncePerPath))?
+            }
             Self::Static => from_none(published(Identities::Static, Visits::OncePerSearch))?,
             Self::Grown => {
                 // Tunnels of one link are our growth.

@@ -91,6 +91,17 @@ fn contenders_that_cannot_run_are_noted() {
     assert!(row["uv_mean"].is_null() && number(row, "normal_mean_degrees") > 0.0, "{row}");
 }
 
+#[test]
+fn fitted_levels_are_closer_than_those_of_kept_vertices() {
+    let bench = Workbench::new();
+    bench.write("barrel.obj", barrel());
+    let report =
+        bench.json("compare barrel.obj --parts assets --shares 20 --contenders striata,striata-subset");
+    let [fitted, kept] = [0, 1].map(|at| &levels(&report)[at]);
+    assert_eq!([fitted, kept].map(|row| &row["contender"]), ["striata", "striata-subset"]);
+    assert!(number(fitted, "rms") < 0.9 * number(kept, "rms"), "{fitted} {kept}");
+}
+
 #[cfg(feature = "peers")]
 #[test]
 fn meshoptimizer_takes_part_and_is_summarized() {

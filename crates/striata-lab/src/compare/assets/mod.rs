@@ -22,7 +22,9 @@ mod tables;
 use std::time::Instant;
 
 use striata::mesh::{IndexedMesh, replay};
-use striata::simplify::{SequenceOptions, build_sequence_with_progress};
+use striata::simplify::{
+    Placement, SequenceOptions, Simplified, StopReason, build_sequence_with_progress, fit_level,
+};
 
 use self::contender::{Level, Request, Simplify};
 use self::levels::measure_level;
@@ -84,7 +86,8 @@ fn prepare<'a>(
     bar: &mut Bar,
 ) -> Result<Result<Simplify<'a>, String>, Failure> {
     match contender {
-        AssetContender::Striata => Ok(Ok(striata(subject, bar)?)),
+        AssetContender::Striata => Ok(Ok(striata(subject, Placement::Optimal, bar)?)),
+        AssetContender::StriataSubset => Ok(Ok(striata(subject, Placement::Subset, bar)?)),
         #[cfg(feature = "peers")]
         AssetContender::Meshoptimizer => Ok(Ok(meshoptimizer::prepare(&subject.mesh, false))),
         #[cfg(feature = "peers")]
@@ -100,8 +103,9 @@ fn prepare<'a>(
     }
 }
 
-/// Takes levels from one sequence with default options; the time of each is that of the whole sequence.
-fn striata<'a>(subject: &Subject, bar: &mut Bar) -> Result<Simplify<'a>, Failure> {
+/// Takes levels from one sequence with default options; the time of each is that of the whole sequence, and of
+/// fitting the level if vertices may move.
+fn striata<'a>(subject: &'a Subject, placement: Placement, bar: &mut Bar) -> Result<Simplify<'a>, Failure> {
     let started = Instant::now();
     let options = SequenceOptions::default().with_base_colors(subject.base_colors.clone());
     let built = build_sequence_with_progress(&subject.mesh, &options, &mut |progress| bar.show(progress))?;
@@ -109,7 +113,16 @@ fn striata<'a>(subject: &Subject, bar: &mut Bar) -> Result<Simplify<'a>, Failure
     Ok(Box::new(move |request| {
         let sequence = &built.refinable.sequence;
         let split_count = sequence.split_count_for_triangles(request.target_count);
-        let error = Some(f64::from(sequence.error_at(split_count)));
-        Ok(Level { mesh: replay(&built.refinable, split_count), secs, error, error_limit: None })
+        let started = Instant::now();
+        let mut level = Simplified {
+            mesh: replay(&built.refinable, split_count),
+            error: f64::from(sequence.error_at(split_count)),
+            stop_reason: StopReason::TargetReached,
+        };
+        if placement == Placement::Optimal {
+            level = fit_level(&subject.mesh, level, &options).map_err(|error| error.to_string())?;
+        }
+        let secs = secs + started.elapsed().as_secs_f64();
+        Ok(Level { mesh: level.mesh, secs, error: Some(level.error), error_limit: None })
     }))
 }

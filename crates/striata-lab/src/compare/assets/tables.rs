@@ -103,8 +103,8 @@ pub(in super::super) fn section(report: &AssetsReport) -> Result<Section, Failur
         intro: format!(
             "{READING} Distances are sampled at {SAMPLES} points on each surface, attributes at as many \
              points on the original, each compared with the nearest triangle on the same side. Other \
-             tools get the smallest error limit with which they reach the target. The time of striata is \
-             that of its whole sequence, on one thread; gltfpack's includes the start of Node. {}",
+             tools get the smallest error limit with which they reach the target. The time of striata includes \
+             its whole sequence, on one thread; gltfpack's includes the start of Node. {}",
             report.notes.join(" ")
         ),
         blocks,

@@ -111,6 +111,10 @@ impl DynamicTunnels {
 }
 
 impl FindTunnels for DynamicTunnels {
+    fn set_max_length(&mut self, max_length: u32) {
+        self.search.set_max_length(max_length);
+    }
+
     fn apply_shortest(&mut self, start: u32, links: &mut StripLinks<'_>, random: &mut Random) -> bool {
         self.search.begin(start);
         self.changes.clear();

@@ -97,6 +97,10 @@ impl StaticTunnels {
 }
 
 impl FindTunnels for StaticTunnels {
+    fn set_max_length(&mut self, max_length: u32) {
+        self.search.set_max_length(max_length);
+    }
+
     fn apply_shortest(&mut self, start: u32, links: &mut StripLinks<'_>, random: &mut Random) -> bool {
         self.search.begin(start);
         let mut node = 0;

@@ -47,11 +47,22 @@ pub enum Visits {
     OncePerPath,
 }
 
+/// In which order tunnels of different lengths are applied.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lengths {
+    /// Each end gets its shortest tunnel when its turn comes.
+    AnyAtOnce,
+    /// Longer tunnels are searched once no end has a shorter one.
+    ShortestFirst,
+}
+
 /// Options of [`join_along_tunnels`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TunnelOptions {
     /// Length of the longest tunnel, in links; an even number acts as the odd one below it.
     pub max_length: u32,
+    /// In which order tunnels of different lengths are applied.
+    pub lengths: Lengths,
     /// How a search knows the strips of triangles.
     pub identities: Identities,
     /// How often a search may visit a triangle.
@@ -75,6 +86,9 @@ pub struct TunnelReport {
 
 /// A search for tunnels that changes links.
 trait FindTunnels {
+    /// Sets the length of the longest tunnel, in links.
+    fn set_max_length(&mut self, max_length: u32);
+
     /// Applies the shortest tunnel from the end of a strip. Returns whether there was one.
     fn apply_shortest(&mut self, start: u32, links: &mut StripLinks<'_>, random: &mut Random) -> bool;
 
@@ -99,7 +113,9 @@ pub fn join_along_tunnels(
     };
     let mut random = Random::new(options.seed);
     let mut report = TunnelReport::default();
+    let mut max_length = if options.lengths == Lengths::AnyAtOnce { options.max_length } else { 1 };
     loop {
+        tunnels.set_max_length(max_length);
         let mut found_count = 0;
         for end in shuffled_ends(triangles, links, &mut random) {
             // Another tunnel may have made it the inside of a strip.
@@ -111,8 +127,11 @@ pub fn join_along_tunnels(
         report.pass_count += 1;
         report.tunnel_count += found_count;
         if found_count == 0 {
-            report.loop_count = tunnels.loop_count();
-            return report;
+            if max_length >= options.max_length {
+                report.loop_count = tunnels.loop_count();
+                return report;
+            }
+            max_length = (max_length + 2).min(options.max_length);
         }
     }
 }

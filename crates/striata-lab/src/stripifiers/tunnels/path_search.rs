@@ -46,12 +46,17 @@ impl PathSearch {
     pub(super) fn new(triangle_count: usize, options: &TunnelOptions) -> Self {
         Self {
             visits: options.visits,
-            max_steps: options.max_length.saturating_sub(1) / 2,
+            max_steps: 0,
             nodes: Vec::new(),
             last_visits: vec![0; triangle_count],
             search: 0,
             path: Vec::new(),
         }
+    }
+
+    /// Sets the length of the longest tunnel, in links.
+    pub(super) fn set_max_length(&mut self, max_length: u32) {
+        self.max_steps = max_length.saturating_sub(1) / 2;
     }
 
     /// Begins a search at the end of a strip.
