@@ -5,7 +5,8 @@ use striata::mesh::{DualGraph, IndexedMesh, canonical_triangles, is_proper, repl
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata::strip::{StripLinks, strip_triangles};
 use striata_lab::stripifiers::{
-    Identities, Lengths, TunnelOptions, TunnelReport, Visits, join_along_tunnels, join_like_tomesh, strips_of,
+    EndOrder, Identities, TunnelOptions, TunnelReport, Visits, join_along_tunnels, join_like_tomesh,
+    strips_of,
 };
 use striata_testing::meshes;
 
@@ -16,7 +17,7 @@ const KINDS: [(Identities, Visits); 3] = [
 ];
 
 fn options((identities, visits): (Identities, Visits), max_length: u32, seed: u64) -> TunnelOptions {
-    TunnelOptions { max_length, lengths: Lengths::AnyAtOnce, identities, visits, seed }
+    TunnelOptions { max_length, order: EndOrder::Random, identities, visits, seed }
 }
 
 /// Joins the strips of a mesh, checks them, and returns their number.
@@ -42,8 +43,8 @@ fn difficult_meshes_are_covered() {
     for (name, mesh) in meshes::nasty().into_iter().filter(|(_, mesh)| mesh.check().is_ok()) {
         eprintln!("{name}");
         for kind in KINDS {
-            for lengths in [Lengths::AnyAtOnce, Lengths::ShortestFirst] {
-                checked(&mesh, &TunnelOptions { lengths, ..options(kind, 9, 1) });
+            for order in [EndOrder::Random, EndOrder::ShortestFirst, EndOrder::SameStrip] {
+                checked(&mesh, &TunnelOptions { order, ..options(kind, 9, 1) });
             }
         }
         let strips = strips_of(&mesh, join_like_tomesh).unwrap();

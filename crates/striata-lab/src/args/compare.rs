@@ -197,12 +197,12 @@ pub(crate) struct StripifierArgs {
         value_parser = clap::value_parser!(u32).range(1..=999)
     )]
     pub(crate) tunnels: Vec<u32>,
-    /// Kinds of tunneling: published, per-path, shortest-first, static, grown, tunnel
+    /// Kinds of tunneling: published, per-path, shortest-first, same-strip, static, grown, tunnel
     #[arg(
         long,
         value_name = "NAME,...",
         value_delimiter = ',',
-        default_value = "published,per-path,shortest-first,static,grown,tunnel",
+        default_value = "published,per-path,shortest-first,same-strip,static,grown,tunnel",
         hide_possible_values = true
     )]
     pub(crate) tunnel_searches: Vec<Tunneling>,

@@ -116,10 +116,6 @@ const BUNNY: [Published; 19] = [
     published(RCRG06_1, "efficient LodStrips, rendering", 2.07, Figure::RenderMillis(EFFICIENT)),
 ];
 
-/// Memory of fans in \[Cor01\], figure 5: bytes per vertex, including positions, normals and the data of
-/// criteria. The bunny takes least of its six meshes, and none takes more than 83.8.
-pub(super) const COR01_BYTES_PER_VERTEX: f64 = 83.0;
-
 /// Memory of fans in \[Cor01\] in 10^6 bytes, for a mesh with this number of triangles; `None` if it was
 /// not measured.
 pub(super) fn cor01_megabytes(triangle_count: usize) -> Option<f64> {

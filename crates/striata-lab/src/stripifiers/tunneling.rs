@@ -5,7 +5,7 @@ use striata::mesh::{DualGraph, IndexedMesh, MeshError};
 use striata::strip::StripLinks;
 use striata_strip::{StripOptions, Stripifier, stripify};
 
-use super::{Identities, Lengths, TunnelOptions, Visits, join_along_tunnels, strips_of};
+use super::{EndOrder, Identities, TunnelOptions, Visits, join_along_tunnels, strips_of};
 
 /// A kind of tunneling.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -16,6 +16,8 @@ pub enum Tunneling {
     PerPath,
     /// As `PerPath`, but longer tunnels are searched once no end has a shorter one.
     ShortestFirst,
+    /// As `PerPath`, but after a tunnel the search goes on from the same strip.
+    SameStrip,
     /// The predecessor \[Ste01\] with static identities.
     Static,
     /// Our growth of strips, then the search of \[PS03\], once per path.
@@ -26,12 +28,19 @@ pub enum Tunneling {
 
 impl Tunneling {
     /// All kinds, from the published ones to ours.
-    pub const ALL: [Self; 6] =
-        [Self::Published, Self::PerPath, Self::ShortestFirst, Self::Static, Self::Grown, Self::Tunnel];
+    pub const ALL: [Self; 7] = [
+        Self::Published,
+        Self::PerPath,
+        Self::ShortestFirst,
+        Self::SameStrip,
+        Self::Static,
+        Self::Grown,
+        Self::Tunnel,
+    ];
 
     /// What the names mean.
     pub const LEGEND: &str = "published: from single triangles, each visited once per search; per-path: once per \
-        path; shortest-first: once per path, and longer tunnels only where no end has a shorter one; static: with the identities from before each search; grown: strips are grown first; tunnel: ours, \
+        path; shortest-first: once per path, and longer tunnels only where no end has a shorter one; same-strip: once per path, and on from the same strip; static: with the identities from before each search; grown: strips are grown first; tunnel: ours, \
         which also moves ends.";
 
     /// Returns the name in reports.
@@ -40,6 +49,7 @@ impl Tunneling {
             Self::Published => "published",
             Self::PerPath => "per-path",
             Self::ShortestFirst => "shortest-first",
+            Self::SameStrip => "same-strip",
             Self::Static => "static",
             Self::Grown => "grown",
             Self::Tunnel => "tunnel",
@@ -56,11 +66,12 @@ impl Tunneling {
             stripify(mesh, &options.with_seed(seed))
         };
         let published = |identities, visits| {
-            let lengths = match self {
-                Self::ShortestFirst => Lengths::ShortestFirst,
-                _ => Lengths::AnyAtOnce,
+            let order = match self {
+                Self::ShortestFirst => EndOrder::ShortestFirst,
+                Self::SameStrip => EndOrder::SameStrip,
+                _ => EndOrder::Random,
             };
-            TunnelOptions { max_length, lengths, identities, visits, seed }
+            TunnelOptions { max_length, order, identities, visits, seed }
         };
         let from_none = |options: TunnelOptions| {
             strips_of(mesh, |triangles, links| {
@@ -69,7 +80,7 @@ impl Tunneling {
         };
         let strips = match self {
             Self::Published => from_none(published(Identities::Dynamic, Visits::OncePerSearch))?,
-            Self::PerPath | Self::ShortestFirst => {
+            Self::PerPath | Self::ShortestFirst | Self::SameStrip => {
                 from_none(published(Identities::Dynamic, Visits::OncePerPath))?
             }
             Self::Static => from_none(published(Identities::Static, Visits::OncePerSearch))?,

@@ -26,7 +26,9 @@ fn report_has_all_lengths_and_stripifiers() {
             })
             .collect();
         for length in [1, 3, 5] {
-            for search in ["published", "per-path", "shortest-first", "static", "grown", "tunnel"] {
+            for search in
+                ["published", "per-path", "shortest-first", "same-strip", "static", "grown", "tunnel"]
+            {
                 assert!(settings.contains(&(search, length)), "{search} {length}: {settings:?}");
             }
         }

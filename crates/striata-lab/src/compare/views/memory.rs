@@ -6,7 +6,7 @@ use striata_lab::baseline::{OrderedMeshes, ProgressiveMeshes};
 use striata_lab::{Accounting, PaperBytes};
 
 use super::super::bars::{BarChart, Bars};
-use super::super::papers::{COR01_BYTES_PER_VERTEX, cor01_megabytes};
+use super::super::papers::cor01_megabytes;
 use super::figures::{NORMAL_BYTES, PACKED_NORMAL_BYTES, POSITION_BYTES};
 use super::followers::{FANS, KEPT, Models, NAMES, PUBLISHED, STATELESS, UNIFORM, VDPM, VDPM_KEPT};
 use super::scenario::Run;
@@ -88,7 +88,7 @@ pub(super) fn measure(models: &Models<'_>, runs: &[Option<Run>]) -> Vec<MemoryRo
         ),
         MemoryRow {
             paper_instance_bytes_per_vertex: Some(1.0 / 8.0),
-            ..row("fans", fans, Some(COR01_BYTES_PER_VERTEX), bits)
+            ..row("fans", fans, None, bits)
         },
         row("fans, a front", fans, None, max_of(FANS).map_or(0, |(bytes, _)| bytes)),
         row("fans, all kept", fans, None, max_of(KEPT).map_or(0, |(bytes, _)| bytes)),

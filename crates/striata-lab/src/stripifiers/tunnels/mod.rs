@@ -47,13 +47,15 @@ pub enum Visits {
     OncePerPath,
 }
 
-/// In which order tunnels of different lengths are applied.
+/// In which order ends are searched from, which \[PS03\] leaves open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Lengths {
-    /// Each end gets its shortest tunnel when its turn comes.
-    AnyAtOnce,
-    /// Longer tunnels are searched once no end has a shorter one.
+pub enum EndOrder {
+    /// Each end once, in random order, and again until none has a tunnel.
+    Random,
+    /// The same, but longer tunnels are searched only once no end has a shorter one.
     ShortestFirst,
+    /// After a tunnel from the ends of the strip that it has made, as long as they have one.
+    SameStrip,
 }
 
 /// Options of [`join_along_tunnels`].
@@ -61,8 +63,8 @@ pub enum Lengths {
 pub struct TunnelOptions {
     /// Length of the longest tunnel, in links; an even number acts as the odd one below it.
     pub max_length: u32,
-    /// In which order tunnels of different lengths are applied.
-    pub lengths: Lengths,
+    /// In which order ends are searched from.
+    pub order: EndOrder,
     /// How a search knows the strips of triangles.
     pub identities: Identities,
     /// How often a search may visit a triangle.
@@ -113,15 +115,19 @@ pub fn join_along_tunnels(
     };
     let mut random = Random::new(options.seed);
     let mut report = TunnelReport::default();
-    let mut max_length = if options.lengths == Lengths::AnyAtOnce { options.max_length } else { 1 };
+    let mut max_length = if options.order == EndOrder::ShortestFirst { 1 } else { options.max_length };
     loop {
         tunnels.set_max_length(max_length);
         let mut found_count = 0;
         for end in shuffled_ends(triangles, links, &mut random) {
             // Another tunnel may have made it the inside of a strip.
-            if links.solid_degree(end) < 2 {
+            let mut from = (links.solid_degree(end) < 2).then_some(end);
+            while let Some(end) = from.take() {
                 report.search_count += 1;
-                found_count += usize::from(tunnels.apply_shortest(end, links, &mut random));
+                if tunnels.apply_shortest(end, links, &mut random) {
+                    found_count += 1;
+                    from = (options.order == EndOrder::SameStrip).then(|| strip_end(end, links, &mut random));
+                }
             }
         }
         report.pass_count += 1;
@@ -134,6 +140,19 @@ pub fn join_along_tunnels(
             max_length = (max_length + 2).min(options.max_length);
         }
     }
+}
+
+/// Returns either end of the strip of a triangle.
+fn strip_end(triangle: u32, links: &StripLinks<'_>, random: &mut Random) -> u32 {
+    let Some(first) = links.first_solid(triangle) else { return triangle };
+    let sides = [Some(first), links.other_solid(first)];
+    let mut at = triangle;
+    let mut exit = sides[random.below(2) as usize];
+    while let Some(side) = exit {
+        let entered = links.twins()[side as usize];
+        (at, exit) = (entered / 3, links.other_solid(entered));
+    }
+    at
 }
 
 /// Returns the triangles at which strips end, in random order.
