@@ -86,10 +86,7 @@ pub(super) fn measure(models: &Models<'_>, runs: &[Option<Run>]) -> Vec<MemoryRo
             paper(ordered.paper_bytes(Accounting::Words)),
             ordered.state_bytes(&ordered.new_state()),
         ),
-        MemoryRow {
-            paper_instance_bytes_per_vertex: Some(1.0 / 8.0),
-            ..row("fans", fans, None, bits)
-        },
+        MemoryRow { paper_instance_bytes_per_vertex: Some(1.0 / 8.0), ..row("fans", fans, None, bits) },
         row("fans, a front", fans, None, max_of(FANS).map_or(0, |(bytes, _)| bytes)),
         row("fans, all kept", fans, None, max_of(KEPT).map_or(0, |(bytes, _)| bytes)),
     ];
