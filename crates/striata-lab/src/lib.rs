@@ -33,7 +33,7 @@ pub mod stripifiers;
 
 pub use cpu_clock::cpu_secs;
 pub use lifetime_lod_strips::{LifetimeLodStrips, LifetimeLodStripsState};
-pub use mts_graph::{MtsGraph, MtsGraphState};
+pub use mts_graph::{MtsArc, MtsGraph, MtsGraphState, MtsNode};
 pub use paper_bytes::{Accounting, PaperBytes};
 pub use spread::Spread;
 

@@ -1,8 +1,8 @@
 //! The `striata-lab` command: measures striata and the models and tools it is compared with.
 //!
 //! In reading order: `args` defines the command line, `compare` measures sizes, levels and views of all
-//! models, `poses` measures levels of animated meshes, `caches` counts vertex cache misses of files, and `bench_gpu`
-//! measures frame times on a GPU.
+//! models, `poses` measures levels of animated meshes, `caches` counts vertex cache misses of files, `bench_gpu`
+//! measures frame times on a GPU, and `show` draws the structures of the papers.
 
 mod args;
 #[cfg(feature = "gpu")]
@@ -11,6 +11,7 @@ mod caches;
 mod compare;
 mod pace;
 mod poses;
+mod show;
 
 use std::process::ExitCode;
 
@@ -29,6 +30,7 @@ fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Compare(args) => compare::run(args, &output),
         Verb::Poses(args) => poses::run(args, &output),
         Verb::Caches(args) => caches::run(args, &output),
+        Verb::Show(args) => show::run(args, &output),
         #[cfg(feature = "gpu")]
         Verb::BenchGpu(args) => bench_gpu::run(args, &output.with_drivers(args.drivers)),
     }

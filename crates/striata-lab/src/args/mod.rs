@@ -5,6 +5,7 @@ mod bench_gpu;
 mod caches;
 mod compare;
 mod poses;
+mod show;
 
 use clap::{Parser, Subcommand};
 use striata_command::args::ReportArgs;
@@ -16,6 +17,7 @@ pub(crate) use self::compare::{
     AssetArgs, AssetContender, CompareArgs, ModelArgs, Part, RateArgs, StripifierArgs,
 };
 pub(crate) use self::poses::PosesArgs;
+pub(crate) use self::show::{ShowArgs, Structure};
 
 /// The whole command line.
 #[derive(Debug, Parser)]
@@ -47,6 +49,8 @@ pub(crate) enum Verb {
     Poses(PosesArgs),
     /// Count vertex cache misses of the triangle lists of files
     Caches(CachesArgs),
+    /// Draw a structure of one of the papers for a small part of a mesh
+    Show(ShowArgs),
     /// Time different ways of drawing a changing level on the GPU
     #[cfg(feature = "gpu")]
     BenchGpu(BenchGpuArgs),

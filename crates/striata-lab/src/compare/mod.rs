@@ -16,7 +16,7 @@ mod papers;
 mod patterns;
 #[cfg(feature = "peers")]
 mod peers;
-mod plot;
+pub(crate) mod plot;
 mod rate;
 mod scale;
 mod stripifiers;

@@ -17,7 +17,7 @@ use striata_command::failure::Failure;
 /// Size of a chart as drawn, in pixels; the page scales it.
 pub(super) const SIZE: (u32, u32) = (960, 560);
 /// Font family.
-pub(super) const FONT: &str = "sans-serif";
+pub(crate) const FONT: &str = "sans-serif";
 /// Font size in pixels.
 pub(super) const FONT_PX: u32 = 22;
 
@@ -28,14 +28,14 @@ const NAMES_PX: u32 = 236;
 const TICK_PX: u32 = 44;
 
 /// Color of names and titles, with the page's variable for it.
-pub(super) const INK: (RGBColor, &str) = (RGBColor(0x23, 0x20, 0x1c), "ink");
+pub(crate) const INK: (RGBColor, &str) = (RGBColor(0x23, 0x20, 0x1c), "ink");
 /// Color of numbers on axes.
-pub(super) const SOFT: (RGBColor, &str) = (RGBColor(0x6d, 0x66, 0x5c), "soft");
+pub(crate) const SOFT: (RGBColor, &str) = (RGBColor(0x6d, 0x66, 0x5c), "soft");
 /// Color of grid lines.
-pub(super) const RULE: (RGBColor, &str) = (RGBColor(0xdd, 0xd7, 0xcd), "rule");
+pub(crate) const RULE: (RGBColor, &str) = (RGBColor(0xdd, 0xd7, 0xcd), "rule");
 
 /// Colors of series in the light and the dark theme.
-pub(super) const SERIES: [(RGBColor, &str); 17] = [
+pub(crate) const SERIES: [(RGBColor, &str); 17] = [
     (RGBColor(0x0b, 0x6e, 0x99), "#5bb8e0"),
     (RGBColor(0xc2, 0x57, 0x1a), "#f0955a"),
     (RGBColor(0x2e, 0x8b, 0x57), "#6fcf97"),

@@ -45,6 +45,18 @@ struct RowNode {
     res: u32,
 }
 
+impl RowNode {
+    fn arc(&self) -> MtsArc {
+        let node = match self.column {
+            SAME_VERTEX => MtsNode::SameVertex,
+            NEW_VERTEX => MtsNode::NewVertex,
+            END => MtsNode::End,
+            column => MtsNode::Column(column as usize),
+        };
+        MtsArc { node, res: self.res }
+    }
+}
+
 /// Offsets of one strip's beginnings and columns; the list has one more entry at its end.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct StripNode {
@@ -65,6 +77,28 @@ pub struct MtsGraph {
     rows: Vec<RowNode>,
 }
 
+/// What an arc of the graph leads to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MtsNode {
+    /// A column of the same strip.
+    Column(usize),
+    /// The next strip, which begins with the same vertex.
+    SameVertex,
+    /// The next strip, which begins with the column that follows in the row.
+    NewVertex,
+    /// The end of the last strip.
+    End,
+}
+
+/// An arc of the graph, or a beginning of a strip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MtsArc {
+    /// Where the arc leads.
+    pub node: MtsNode,
+    /// The coarsest level at which the arc applies; 0 is the finest.
+    pub res: u32,
+}
+
 /// State of one instance: its level and the strips it shows.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MtsGraphState {
@@ -79,6 +113,37 @@ impl MtsGraph {
     /// Number of strips, including those that vanish at coarse levels.
     pub fn strip_count(&self) -> usize {
         self.strips.len().saturating_sub(1)
+    }
+
+    /// Returns the beginnings of a strip, from fine to coarse.
+    ///
+    /// # Panics
+    /// If there is no such strip.
+    pub fn begins(&self, strip: usize) -> impl Iterator<Item = MtsArc> + '_ {
+        let [head, end] = [self.strips[strip], self.strips[strip + 1]];
+        self.begins[head.first_begin as usize..end.first_begin as usize].iter().map(RowNode::arc)
+    }
+
+    /// Returns the columns of a strip: each vertex with its row of arcs.
+    ///
+    /// # Panics
+    /// If there is no such strip.
+    pub fn columns(&self, strip: usize) -> impl Iterator<Item = (u32, Vec<MtsArc>)> + '_ {
+        let [head, end] = [self.strips[strip], self.strips[strip + 1]];
+        (head.first_column as usize..end.first_column as usize).map(|column| {
+            let row = self.first_rows[column] as usize..self.first_rows[column + 1] as usize;
+            (self.vertices[column], self.rows[row].iter().map(RowNode::arc).collect())
+        })
+    }
+
+    /// Returns the indices of one strip at a level, 0 the finest, with restarts between its pieces.
+    ///
+    /// # Panics
+    /// If there is no such strip.
+    pub fn strip_at(&self, strip: usize, level: u32) -> Vec<u32> {
+        let mut indices = Vec::new();
+        self.recover_strip(strip, level, &mut vec![0; self.vertices.len()], &mut indices);
+        indices
     }
 
     /// Appends one strip at a level (listing 2 of the paper) and returns the number of pieces it has

@@ -14,7 +14,9 @@ use striata::strip::{StripLinks, StripSet, write_strips};
 pub use tomesh::join_like_tomesh;
 #[cfg(feature = "command")]
 pub use tunneling::Tunneling;
-pub use tunnels::{EndOrder, Identities, TunnelOptions, TunnelReport, Visits, join_along_tunnels};
+pub use tunnels::{
+    EndOrder, Identities, TunnelOptions, TunnelReport, Visits, join_along_one_tunnel, join_along_tunnels,
+};
 
 /// Covers a mesh by strips: calls `join` with links that are all dashed, and writes the strips that it leaves.
 ///

@@ -13,6 +13,7 @@ mod compare_rate;
 mod compare_views;
 mod help;
 mod poses;
+mod show;
 #[path = "../../../striata-cli/tests/cli/workbench.rs"]
 #[expect(dead_code, reason = "shared with the tests of striata-cli, which use more of it")]
 mod workbench;

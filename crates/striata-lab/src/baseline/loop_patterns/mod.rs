@@ -78,6 +78,14 @@ impl LoopPatterns {
         self.records.covered(step)
     }
 
+    /// The two vertices of a fragment's ring that position its rule.
+    ///
+    /// # Panics
+    /// If the fragment does not exist.
+    pub fn anchors(&self, step: u32) -> [u32; 2] {
+        self.records.head(step).anchors
+    }
+
     /// The fragments that depend on a fragment, each found at the end of a loop.
     ///
     /// # Panics

@@ -234,7 +234,7 @@ impl AttributeSpread {
 }
 
 /// Barycentric coordinates of the point of a triangle that is nearest to another point.
-fn nearest_weights(point: DVec3, [a, b, c]: [DVec3; 3]) -> [f64; 3] {
+pub(super) fn nearest_weights(point: DVec3, [a, b, c]: [DVec3; 3]) -> [f64; 3] {
     let (ab, ac) = (b - a, c - a);
     let normal = ab.cross(ac);
     let area = normal.length_squared();

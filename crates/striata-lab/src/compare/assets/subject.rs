@@ -2,9 +2,11 @@
 
 use std::collections::HashMap;
 
-use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, weld};
+use glam::DVec3;
+use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, MeshError, Semantic, TriangleTree, weld};
 use striata::simplify::BaseColor;
 
+use super::attribute_distance::nearest_weights;
 use super::gallery::Gallery;
 use striata_command::failure::Failure;
 use striata_scene::drawn::{ImageLimits, base_colors_of_mesh};
@@ -20,8 +22,8 @@ pub(super) struct Subject {
     pub(super) reference: IndexedMesh,
     /// Pictures of the mesh.
     pub(super) gallery: Gallery,
-    /// The smooth normal of each position, if the mesh itself has no normals.
-    smooth_normals: Option<HashMap<[u32; 3], [f32; 3]>>,
+    /// The smooth normals of the reference, if the mesh itself has none.
+    smooth_normals: Option<SmoothNormals>,
 }
 
 impl Subject {
@@ -37,7 +39,10 @@ impl Subject {
             return Err(Failure::user("there is no triangle to simplify"));
         }
         let reference = with_normals(mesh.clone());
-        let smooth_normals = mesh.layer(&Semantic::Normal).is_none().then(|| normals_by_position(&reference));
+        let smooth_normals = match mesh.layer(&Semantic::Normal) {
+            Some(_) => None,
+            None => Some(SmoothNormals::of(&reference)?),
+        };
         let gallery = Gallery::of(&reference, look);
         Ok(Self { mesh, base_colors, reference, gallery, smooth_normals })
     }
@@ -52,7 +57,7 @@ impl Subject {
         self.mesh.layer(&Semantic::TexCoord(0)).is_some()
     }
 
-    /// Adds normals to a level if needed: its own, or the original's smooth normals at the same positions.
+    /// Adds normals to a level if needed: those of the original's smooth surface at the nearest points.
     /// Materials get the numbers that they have in the original, which their names contain.
     pub(super) fn lit(&self, mut level: IndexedMesh) -> IndexedMesh {
         let numbers: Vec<Option<u32>> =
@@ -62,8 +67,7 @@ impl Subject {
         }
         level.appearance.materials.clone_from(&self.mesh.appearance.materials);
         let Some(normals) = &self.smooth_normals else { return level };
-        let normal = |p: &[f32; 3]| normals.get(&key(p)).copied().unwrap_or_default();
-        let data = level.positions.iter().flat_map(normal).collect();
+        let data = level.positions.iter().flat_map(|p| normals.at(p, &self.reference)).collect();
         level.layers.retain(|layer| layer.semantic != Semantic::Normal);
         level.layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, data));
         level
@@ -113,8 +117,34 @@ fn as_floats(layer: &AttributeLayer) -> AttributeLayer {
     AttributeLayer::from_f32(layer.semantic.clone(), layer.component_count, data)
 }
 
-fn normals_by_position(mesh: &IndexedMesh) -> HashMap<[u32; 3], [f32; 3]> {
-    let Some(layer) = mesh.layer(&Semantic::Normal) else { return HashMap::new() };
-    let normal = |v: usize| [0, 1, 2].map(|k| layer.get(v, k));
-    mesh.positions.iter().enumerate().map(|(v, position)| (key(position), normal(v))).collect()
+/// Normals of a smooth surface.
+struct SmoothNormals {
+    by_position: HashMap<[u32; 3], [f32; 3]>,
+    /// For positions that the surface does not have.
+    tree: TriangleTree,
+}
+
+impl SmoothNormals {
+    fn of(mesh: &IndexedMesh) -> Result<Self, MeshError> {
+        let normals = mesh.layer(&Semantic::Normal).into_iter();
+        let by_position = normals.flat_map(|layer| {
+            let normal = |v: usize| [0, 1, 2].map(|k| layer.get(v, k));
+            mesh.positions.iter().enumerate().map(move |(v, position)| (key(position), normal(v)))
+        });
+        Ok(Self { by_position: by_position.collect(), tree: TriangleTree::new(mesh)? })
+    }
+
+    /// The normal at a position, or at the nearest point of the surface.
+    fn at(&self, position: &[f32; 3], mesh: &IndexedMesh) -> [f32; 3] {
+        if let Some(&normal) = self.by_position.get(&key(position)) {
+            return normal;
+        }
+        let point = position.map(f64::from);
+        let Some(nearest) = self.tree.nearest(point) else { return [0.0; 3] };
+        let corners = mesh.triangles[nearest.triangle as usize].map(|v| &mesh.positions[v as usize]);
+        let weights = nearest_weights(DVec3::from(point), corners.map(|&p| DVec3::from(p.map(f64::from))));
+        let normals = corners.map(|p| self.by_position.get(&key(p)).copied().unwrap_or_default());
+        let mixed = |k: usize| (0..3).map(|corner| weights[corner] * f64::from(normals[corner][k])).sum();
+        DVec3::from([0, 1, 2].map(mixed)).normalize_or_zero().as_vec3().to_array()
+    }
 }

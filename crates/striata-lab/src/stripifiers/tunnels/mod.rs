@@ -16,7 +16,7 @@
 //!
 //! Differs: \[PS03\] keeps a stack of identities in every node; here one log lists the changes of all nodes in
 //! order, which undoes them just as well. \[Ste01\] is known to us through \[PS03\]; how it treats loops is our
-//! reading, chosen because it reproduces the published strip count (158 strips of the bunny; lengths up to about 75).
+//! reading, chosen because it leaves as many strips of the bunny as \[PS03\] reports (158) at lengths that \[Ste01\] used.
 
 mod dynamic;
 mod fixed;
@@ -73,6 +73,17 @@ pub struct TunnelOptions {
     pub seed: u64,
 }
 
+impl TunnelOptions {
+    fn search(&self, links: &StripLinks<'_>) -> Box<dyn FindTunnels> {
+        let mut tunnels: Box<dyn FindTunnels> = match self.identities {
+            Identities::Dynamic => Box::new(DynamicTunnels::new(links, self)),
+            Identities::Static => Box::new(StaticTunnels::new(links, self)),
+        };
+        tunnels.set_max_length(self.max_length);
+        tunnels
+    }
+}
+
 /// Counts of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct TunnelReport {
@@ -109,10 +120,7 @@ pub fn join_along_tunnels(
     links: &mut StripLinks<'_>,
     options: &TunnelOptions,
 ) -> TunnelReport {
-    let mut tunnels: Box<dyn FindTunnels> = match options.identities {
-        Identities::Dynamic => Box::new(DynamicTunnels::new(links, options)),
-        Identities::Static => Box::new(StaticTunnels::new(links, options)),
-    };
+    let mut tunnels = options.search(links);
     let mut random = Random::new(options.seed);
     let mut report = TunnelReport::default();
     let mut max_length = if options.order == EndOrder::ShortestFirst { 1 } else { options.max_length };
@@ -140,6 +148,26 @@ pub fn join_along_tunnels(
             max_length = (max_length + 2).min(options.max_length);
         }
     }
+}
+
+/// Joins two strips along one tunnel; returns the sides whose links it has complemented, one for each link, or
+/// [`None`] if no end has a tunnel.
+///
+/// # Panics
+/// If `triangles` are not those of the links' graph.
+pub fn join_along_one_tunnel(
+    triangles: &[[u32; 3]],
+    links: &mut StripLinks<'_>,
+    options: &TunnelOptions,
+) -> Option<Vec<u32>> {
+    let before = links.clone();
+    let mut tunnels = options.search(links);
+    let mut random = Random::new(options.seed);
+    let mut ends = shuffled_ends(triangles, links, &mut random).into_iter();
+    ends.find(|&end| tunnels.apply_shortest(end, links, &mut random))?;
+    let is_changed =
+        |&side: &u32| side < links.twins()[side as usize] && before.is_solid(side) != links.is_solid(side);
+    Some((0..3 * links.triangle_count() as u32).filter(is_changed).collect())
 }
 
 /// Returns either end of the strip of a triangle.
