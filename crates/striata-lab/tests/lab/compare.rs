@@ -32,7 +32,7 @@ fn report_has_all_lengths_and_stripifiers() {
                 assert!(settings.contains(&(search, length)), "{search} {length}: {settings:?}");
             }
         }
-        assert_eq!(settings.len(), 15);
+        assert_eq!(settings.len(), 21);
         for row in lengths {
             assert_keys(row, &["seeds", "mean", "min", "max", "std", "secs", "secs_std"]);
             let [mean, min, max] = ["mean", "min", "max"].map(|key| row[key].as_f64().expect("a number"));
