@@ -93,7 +93,7 @@ pub enum MtsNode {
 /// An arc of the graph, or a beginning of a strip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MtsArc {
-    /// Where the arc leads.
+    /// What the arc leads to.
     pub node: MtsNode,
     /// The coarsest level at which the arc applies; 0 is the finest.
     pub res: u32,

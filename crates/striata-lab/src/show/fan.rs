@@ -9,6 +9,9 @@ use striata_command::failure::Failure;
 use super::patch::Patch;
 use super::sheet::{Align, GRAY, Line, SIZE, Sheet, color, panels, tint};
 
+/// Number of vertices whose masks are listed; there is no room for more lines.
+const LISTED: usize = 2;
+
 /// Draws the picture; returns whether there is a fan that a step changes.
 pub(super) fn draw(patch: &Patch, sheet: &mut Sheet) -> Result<bool, Failure> {
     let refinable = build_sequence(&patch.mesh, &SequenceOptions::default())?.refinable;
@@ -16,7 +19,7 @@ pub(super) fn draw(patch: &Patch, sheet: &mut Sheet) -> Result<bool, Failure> {
     // The entry that says most: some arcs hold always, and few steps change the others.
     let best = fans.table_fans().filter(|fan| fan.makers().count() > 0).max_by_key(|fan| {
         let has_permanent = fan.permanent_arcs() != 0;
-        let is_short = fan.makers().count() <= 3 && fan.node_count() <= 9;
+        let is_short = fan.makers().count() <= LISTED && fan.node_count() <= 9;
         (is_short, has_permanent, fan.node_count())
     });
     let Some(fan) = best else { return Ok(false) };
@@ -52,11 +55,15 @@ pub(super) fn draw(patch: &Patch, sheet: &mut Sheet) -> Result<bool, Failure> {
     let arc_count = if fan.is_closed() { nodes.len() } else { nodes.len() - 1 };
     let mask = |arcs: u32| list(&(0..arc_count).map(|arc| arcs >> arc & 1).collect::<Vec<_>>());
     lines.push(format!("triangles {}: always (blue)", mask(fan.permanent_arcs())));
-    for maker in &makers {
+    for maker in makers.iter().take(LISTED) {
         let removed = removed_vertex(&refinable, maker.step);
         lines.push(format!("triangles {}: while vertex {removed} is removed", mask(maker.arcs)));
     }
-    sheet.lines(SIZE.y - 26.0 * lines.len() as f64 - 8.0, &lines);
+    if makers.len() > LISTED {
+        let rest = makers.len() - LISTED;
+        lines.push(format!("and masks of {rest} more vertices"));
+    }
+    sheet.lines(SIZE.y - 26.0 * lines.len() as f64, &lines);
     Ok(true)
 }
 

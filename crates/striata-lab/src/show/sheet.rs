@@ -52,7 +52,7 @@ impl Line {
     }
 }
 
-/// Where a text stands relative to its point.
+/// How a text is aligned with its point.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Align {
     Left,
