@@ -4,6 +4,7 @@
 //! weight is that of a Cauchy estimator, by a scale for each kind of layer.
 
 use super::corner_forms::CornerForm;
+use super::materials_of;
 use super::pairs::{Pair, Pairs};
 use crate::mesh::{Adjacency, AttributeLayer, IndexedMesh, LayerData, Semantic};
 
@@ -96,15 +97,6 @@ fn squared_difference(a: &Value, b: &Value) -> f64 {
 fn unit(value: Value) -> Option<Value> {
     let length = value.iter().map(|x| x * x).sum::<f64>().sqrt();
     (length > 0.1).then(|| value.map(|x| x / length))
-}
-
-/// Material of each triangle plus one, 0 for none.
-fn materials_of(mesh: &IndexedMesh) -> Vec<u32> {
-    let mut materials = vec![0; mesh.triangles.len()];
-    for group in &mesh.groups {
-        materials[group.range()].fill(group.material.map_or(0, |material| material + 1));
-    }
-    materials
 }
 
 /// Changes the attributes of all vertices so that the level shows what the original does at its pairs.

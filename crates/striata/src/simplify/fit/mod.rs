@@ -4,7 +4,8 @@
 //! with the nearest point of the other that faces the same side (`pairs`). The distance of a pair along the
 //! normal of the level's triangle is linear in the positions of its corners, and the difference of an
 //! attribute is linear in its values there, so both are sparse least-squares problems (`positions`, `layers`).
-//! Pairs are found again after every move.
+//! Boundaries, seams of texture coordinates and borders between materials have pairs of their own, across which
+//! they must not slide. Pairs are found again after every move.
 //!
 //! A surface with its vertices on a smooth original lies on one side of it. Fitting removes the mean of that
 //! distance, which is more than half of it: the level stays as it is otherwise, seams, materials and the
@@ -145,6 +146,15 @@ pub fn fit_level_with_progress(
     report(MOVES + 1)?;
     let error = measured_error(&pairing.original, &pairing.level, &pairs.of_surfaces);
     Ok(Simplified { mesh: fitted, error, ..level })
+}
+
+/// Material of each triangle plus one, 0 for none.
+fn materials_of(mesh: &IndexedMesh) -> Vec<u32> {
+    let mut materials = vec![0; mesh.triangles.len()];
+    for group in &mesh.groups {
+        materials[group.range()].fill(group.material.map_or(0, |material| material + 1));
+    }
+    materials
 }
 
 /// Whether two corners of a triangle share a position.

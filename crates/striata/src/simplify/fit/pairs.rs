@@ -1,24 +1,30 @@
 //! Pairs of points of the original and of a level.
 //!
 //! Samples of the original are the centroids of its triangles, or of every n-th one if there are many more than
-//! in the level; those of the level are three points of each triangle. Boundaries have samples of their own,
-//! since a point beyond the boundary is at no distance from the plane of a triangle.
+//! in the level; those of the level are three points of each triangle. Borders have samples of their own: a point
+//! beyond the end of a surface is at no distance from the plane of a triangle, and where texture coordinates or
+//! materials change, a surface that slides along itself shows the wrong side.
 
 use glam::DVec3;
 
+use super::materials_of;
 use super::surface::{Surface, SurfacePoint, share_along};
-use crate::mesh::{Adjacency, Edge, IndexedMesh, MeshError, TriangleTree, index_positions};
+use crate::mesh::{
+    Adjacency, AttributeLayer, Edge, IndexedMesh, MeshError, Semantic, TriangleTree, index_positions,
+};
 
 /// Samples of the original for each triangle of the level.
 const SAMPLES: f64 = 6.0;
 /// Points of a triangle of the level, each for a third of its area.
 const POINTS: [[f64; 3]; 3] =
     [[2.0 / 3.0, 1.0 / 6.0, 1.0 / 6.0], [1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0], [1.0 / 6.0, 1.0 / 6.0, 2.0 / 3.0]];
-/// Points of a boundary edge, each for half of its length.
+/// Points of a border edge, each for half of its length.
 const EDGE_POINTS: [f64; 2] = [0.2, 0.8];
-/// Distance from a boundary edge beyond which a boundary is another one, as a share of the edge's length.
-const BOUNDARY_REACH: f64 = 0.5;
-/// Cosine between two boundary edges above which they are parts of the same boundary.
+/// Distance from a border edge beyond which a border is another one, as a share of the edge's length.
+const BORDER_REACH: f64 = 0.5;
+/// Multiple of the distance to the nearest border edge within which one that leads the same way is looked for.
+const SAME_PLACE: f64 = 1.5;
+/// Cosine between two border edges above which they are parts of the same border.
 const SAME_EDGE: f64 = 0.5;
 
 /// A point of the level, and the point of the original that it should coincide with.
@@ -32,9 +38,9 @@ pub(super) struct Pair {
     pub(super) area: f64,
 }
 
-/// A pair on the boundaries, whose area is as wide as the level's edge is long.
+/// A pair on the borders, whose area is as wide as the level's edge is long.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct BoundaryPair {
+pub(super) struct BorderPair {
     pub(super) pair: Pair,
     /// Direction of the level's edge, a unit vector.
     pub(super) along: DVec3,
@@ -43,13 +49,13 @@ pub(super) struct BoundaryPair {
 /// All pairs between a level and the original.
 pub(super) struct Pairs {
     pub(super) of_surfaces: Vec<Pair>,
-    pub(super) of_boundaries: Vec<BoundaryPair>,
+    pub(super) of_borders: Vec<BorderPair>,
 }
 
 impl Pairs {
-    /// The pairs of surfaces and boundaries.
+    /// The pairs of surfaces and borders.
     pub(super) fn all(&self) -> impl Iterator<Item = &Pair> {
-        self.of_surfaces.iter().chain(self.of_boundaries.iter().map(|boundary| &boundary.pair))
+        self.of_surfaces.iter().chain(self.of_borders.iter().map(|border| &border.pair))
     }
 }
 
@@ -79,7 +85,7 @@ pub(super) struct Pairing {
     pub(super) original: Surface,
     /// The level as it was when pairs were last found.
     pub(super) level: Surface,
-    boundary: Boundary,
+    borders: Borders,
     level_sides: Vec<u32>,
     of_original: Vec<Sample>,
     of_level: Vec<Sample>,
@@ -89,8 +95,8 @@ impl Pairing {
     /// # Errors
     /// [`MeshError`] if a mesh is inconsistent.
     pub(super) fn new(original: &IndexedMesh, level: &IndexedMesh) -> Result<Self, MeshError> {
-        let boundary = Boundary::new(original, &boundary_sides(original));
-        let level_sides = boundary_sides(level);
+        let borders = Borders::new(original, &border_sides(original));
+        let level_sides = border_sides(level);
         let original = Surface::new(original)?;
         let samples = SAMPLES * level.triangle_count() as f64;
         let stride = (original.normals.len() as f64 / samples).max(1.0);
@@ -105,7 +111,7 @@ impl Pairing {
         let of_level =
             (0..level.triangle_count()).flat_map(|t| POINTS.map(|shares| Sample::new(t, shares, 0.0)));
         let level = Surface::new(level)?;
-        Ok(Self { original, level, boundary, level_sides, of_original, of_level: of_level.collect() })
+        Ok(Self { original, level, borders, level_sides, of_original, of_level: of_level.collect() })
     }
 
     /// Mean of the squared distances of pairs, weighted by area.
@@ -141,26 +147,26 @@ impl Pairing {
             let target = self.original.at(found);
             of_surfaces.push(Pair { level: sample.point, original: found, target, area });
         }
-        let of_boundaries = self.boundary.pairs_with(&Boundary::new(level, &self.level_sides));
-        Pairs { of_surfaces, of_boundaries }
+        let of_borders = self.borders.pairs_with(&Borders::new(level, &self.level_sides));
+        Pairs { of_surfaces, of_borders }
     }
 }
 
-/// The boundary edges of a mesh.
-struct Boundary {
-    edges: Vec<BoundaryEdge>,
+/// The edges at which a surface, a chart or a material ends, once for each triangle.
+struct Borders {
+    edges: Vec<BorderEdge>,
     /// The edges as triangles without area.
     tree: TriangleTree,
 }
 
-struct BoundaryEdge {
+struct BorderEdge {
     ends: [DVec3; 2],
     triangle: u32,
     /// Corner of the triangle at which the edge begins.
     corner: usize,
 }
 
-impl BoundaryEdge {
+impl BorderEdge {
     /// Point with this share of the end.
     fn point(&self, share: f64) -> SurfacePoint {
         let mut shares = [0.0; 3];
@@ -178,13 +184,32 @@ impl BoundaryEdge {
     }
 }
 
-/// Sides of triangles that lie on the boundary.
-fn boundary_sides(mesh: &IndexedMesh) -> Vec<u32> {
+/// Sides of triangles at which the surface ends, or at which texture coordinates or materials change.
+fn border_sides(mesh: &IndexedMesh) -> Vec<u32> {
     let position_of = index_positions(&mesh.positions);
     let triangles = mesh.triangles.iter().map(|t| t.map(|v| position_of[v as usize])).collect();
     let adjacency = Adjacency::of_triangles(triangles, position_of.len());
-    let boundary = adjacency.edges().filter(|edge| is_boundary(&adjacency, edge));
-    boundary.flat_map(|edge| edge.sides().collect::<Vec<_>>()).collect()
+    let materials = materials_of(mesh);
+    let is_texcoord = |layer: &&AttributeLayer| matches!(layer.semantic, Semantic::TexCoord(_));
+    let texcoords: Vec<&AttributeLayer> = mesh.layers.iter().filter(is_texcoord).collect();
+    let vertex_at = |side: u32, next: usize| mesh.triangles[side as usize / 3][(side as usize + next) % 3];
+    let is_same = |a: u32, b: u32| {
+        let is_same_in = |layer: &&AttributeLayer| {
+            (0..usize::from(layer.component_count))
+                .all(|k| layer.get(a as usize, k) == layer.get(b as usize, k))
+        };
+        a == b || texcoords.iter().all(is_same_in)
+    };
+    let is_seam = |edge: &Edge<'_>| {
+        let [one, other] = *edge.sides().collect::<Vec<u32>>() else { return false };
+        let is_opposite =
+            position_of[vertex_at(one, 0) as usize] == position_of[vertex_at(other, 1) as usize];
+        let ends = if is_opposite { [1, 0] } else { [0, 1] };
+        materials[one as usize / 3] != materials[other as usize / 3]
+            || (0..2).any(|end| !is_same(vertex_at(one, end), vertex_at(other, ends[end])))
+    };
+    let borders = adjacency.edges().filter(|edge| is_boundary(&adjacency, edge) || is_seam(edge));
+    borders.flat_map(|edge| edge.sides().collect::<Vec<_>>()).collect()
 }
 
 /// Whether the surface ends at an edge. The triangles of a sheet that is modeled from both sides coincide.
@@ -195,16 +220,16 @@ pub(super) fn is_boundary(adjacency: &Adjacency, edge: &Edge<'_>) -> bool {
     thirds.all(|other| Some(other) == first)
 }
 
-impl Boundary {
-    /// The boundary that consists of these sides, `3 * triangle + corner`.
+impl Borders {
+    /// The borders that consist of these sides, `3 * triangle + corner`.
     fn new(mesh: &IndexedMesh, sides: &[u32]) -> Self {
         let edge = |&side: &u32| {
             let (triangle, corner) = (side / 3, side as usize % 3);
             let [start, end] = [corner, (corner + 1) % 3].map(|k| mesh.triangles[triangle as usize][k]);
             let ends = [start, end].map(|v| DVec3::from(mesh.positions[v as usize].map(f64::from)));
-            BoundaryEdge { ends, triangle, corner }
+            BorderEdge { ends, triangle, corner }
         };
-        let edges: Vec<BoundaryEdge> = sides.iter().map(edge).collect();
+        let edges: Vec<BorderEdge> = sides.iter().map(edge).collect();
         let flat = edges.iter().map(|edge| {
             let [a, b] = edge.ends.map(|end| end.to_array().map(|x| x as f32));
             [a, b, b]
@@ -213,31 +238,41 @@ impl Boundary {
         Self { edges, tree }
     }
 
-    fn nearest(&self, point: DVec3, near: &mut usize) -> Option<&BoundaryEdge> {
-        self.tree.distance_from_hint(point.to_array(), near);
-        self.edges.get(*near)
+    /// The edge nearest to a point of an edge that leads the same way: the triangles of both lie on the same side.
+    fn nearest(&self, point: DVec3, edge: &BorderEdge, near: &mut usize) -> Option<&BorderEdge> {
+        let point = point.to_array();
+        let distance = self.tree.distance_from_hint(point, near);
+        let mut found = self.edges.get(*near)?;
+        if !found.is_parallel(edge) {
+            // The other side of a seam is as near.
+            let mut least = SAME_PLACE * distance;
+            self.tree.visit_within(point, least, |candidate, away| {
+                if away <= least && self.edges[candidate].is_parallel(edge) {
+                    (found, least) = (&self.edges[candidate], away);
+                }
+                least
+            });
+        }
+        Some(found).filter(|found| found.is_parallel(edge))
     }
 
-    /// Pairs points of this boundary of the original with those of a level's.
-    fn pairs_with(&self, level: &Self) -> Vec<BoundaryPair> {
+    /// Pairs points of these borders of the original with those of a level's.
+    fn pairs_with(&self, level: &Self) -> Vec<BorderPair> {
         let mut pairs = Vec::new();
         // From shares of both edges, and the length that the pair stands for.
-        let mut add =
-            |(edge, share): (&BoundaryEdge, f64), (own, along): (&BoundaryEdge, f64), length: f64| {
-                let target = own.ends[0].lerp(own.ends[1], along);
-                let width = edge.side().length();
-                if edge.ends[0].lerp(edge.ends[1], share).distance(target) <= BOUNDARY_REACH * width {
-                    let (level, original) = (edge.point(share), own.point(along));
-                    let pair = Pair { level, original, target, area: length * width };
-                    pairs.push(BoundaryPair { pair, along: edge.side().normalize_or_zero() });
-                }
-            };
+        let mut add = |(edge, share): (&BorderEdge, f64), (own, along): (&BorderEdge, f64), length: f64| {
+            let target = own.ends[0].lerp(own.ends[1], along);
+            let width = edge.side().length();
+            if edge.ends[0].lerp(edge.ends[1], share).distance(target) <= BORDER_REACH * width {
+                let (level, original) = (edge.point(share), own.point(along));
+                let pair = Pair { level, original, target, area: length * width };
+                pairs.push(BorderPair { pair, along: edge.side().normalize_or_zero() });
+            }
+        };
         let mut near = usize::MAX;
         for own in &self.edges {
             let middle = 0.5 * (own.ends[0] + own.ends[1]);
-            let Some(edge) = level.nearest(middle, &mut near).filter(|edge| edge.is_parallel(own)) else {
-                continue;
-            };
+            let Some(edge) = level.nearest(middle, own, &mut near) else { continue };
             let share = share_along(middle, edge.ends[0], edge.ends[1]);
             add((edge, share), (own, 0.5), own.side().length());
         }
@@ -245,9 +280,7 @@ impl Boundary {
         for edge in &level.edges {
             for share in EDGE_POINTS {
                 let point = edge.ends[0].lerp(edge.ends[1], share);
-                let Some(own) = self.nearest(point, &mut near).filter(|own| own.is_parallel(edge)) else {
-                    continue;
-                };
+                let Some(own) = self.nearest(point, edge, &mut near) else { continue };
                 let along = share_along(point, own.ends[0], own.ends[1]);
                 add((edge, share), (own, along), 0.5 * edge.side().length());
             }

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use glam::{DMat3, DVec3};
 
 use super::corner_forms::CornerForm;
-use super::pairs::{BoundaryPair, Pairs, is_boundary};
+use super::pairs::{BorderPair, Pairs, is_boundary};
 use super::surface::SurfacePoint;
 use crate::mesh::{Adjacency, IndexedMesh, index_positions};
 use crate::simplify::options::{BoundaryRule, SequenceOptions};
@@ -63,7 +63,7 @@ impl Term {
 /// The terms of a triangle.
 struct TriangleTerms {
     along_normal: Term,
-    /// Two terms for each boundary edge.
+    /// Two terms for each border edge.
     across_edges: Vec<Term>,
 }
 
@@ -188,7 +188,7 @@ fn terms_of(places: &Places, pairs: &Pairs) -> Vec<TriangleTerms> {
         let wish = term.direction.dot(away(pair.level, pair.target));
         term.form.add(pair.area, pair.level.shares, [wish]);
     }
-    for BoundaryPair { pair, along } in &pairs.of_boundaries {
+    for BorderPair { pair, along } in &pairs.of_borders {
         let away = away(pair.level, pair.target);
         let TriangleTerms { along_normal, across_edges } = &mut terms[pair.level.triangle as usize];
         let normal = along_normal.direction;
