@@ -22,7 +22,7 @@ mod pairs;
 mod positions;
 mod surface;
 
-use crate::mesh::{IndexedMesh, weld};
+use crate::mesh::{IndexedMesh, index_positions, weld};
 use crate::simplify::options::{SequenceOptions, Simplified, SimplifyError};
 use crate::{Progress, ProgressFn, ignore_progress};
 use measure::measured_error;
@@ -31,6 +31,8 @@ use positions::Constraints;
 
 /// Number of times that vertices move.
 const MOVES: u64 = 2;
+/// Number of times that corners of triangles that are farther away than before move back.
+const RETURNS: usize = 4;
 /// Number of times that a level beyond the error limit is replaced by a finer one before the full mesh is.
 const MAX_RETRIES: usize = 8;
 /// Share of the diagonal that rounding to single precision may add to a distance.
@@ -123,7 +125,7 @@ pub fn fit_level_with_progress(
     };
     let mut pairing = Pairing::new(original, &fitted)?;
     let mut pairs = pairing.pairs(&fitted);
-    let mean_square = pairing.mean_square(&pairs);
+    let before = pairing.distances(&pairs);
     for done in 0..MOVES {
         report(done)?;
         positions::move_vertices(&mut fitted, &pairs, &constraints);
@@ -131,7 +133,15 @@ pub fn fit_level_with_progress(
     }
     report(MOVES)?;
     let noise = NOISE * original.diagonal();
-    if pairing.mean_square(&pairs) > mean_square + noise * noise {
+    for _ in 0..RETURNS {
+        let is_worse = pairing.distances(&pairs).worse_than(&before, noise);
+        if !is_worse.contains(&true) {
+            break;
+        }
+        move_back(&mut fitted, &level.mesh, &is_worse);
+        pairs = pairing.pairs(&fitted);
+    }
+    if pairing.distances(&pairs).mean_square() > before.mean_square() + noise * noise {
         // Parts that have folded flat may have no useful pairs.
         fitted.positions.clone_from(&level.mesh.positions);
         pairs = pairing.pairs(&fitted);
@@ -155,6 +165,20 @@ fn materials_of(mesh: &IndexedMesh) -> Vec<u32> {
         materials[group.range()].fill(group.material.map_or(0, |material| material + 1));
     }
     materials
+}
+
+/// Moves the corners of some triangles back to where they were, and all vertices at the same positions.
+fn move_back(fitted: &mut IndexedMesh, level: &IndexedMesh, is_chosen: &[bool]) {
+    let position_of = index_positions(&level.positions);
+    let mut returns = vec![false; position_of.len()];
+    for (triangle, _) in level.triangles.iter().zip(is_chosen).filter(|(_, is_chosen)| **is_chosen) {
+        triangle.iter().for_each(|&v| returns[position_of[v as usize] as usize] = true);
+    }
+    for (v, position) in fitted.positions.iter_mut().enumerate() {
+        if returns[position_of[v] as usize] {
+            *position = level.positions[v];
+        }
+    }
 }
 
 /// Whether two corners of a triangle share a position.

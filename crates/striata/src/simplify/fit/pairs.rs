@@ -18,6 +18,8 @@ const SAMPLES: f64 = 6.0;
 /// Points of a triangle of the level, each for a third of its area.
 const POINTS: [[f64; 3]; 3] =
     [[2.0 / 3.0, 1.0 / 6.0, 1.0 / 6.0], [1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0], [1.0 / 6.0, 1.0 / 6.0, 2.0 / 3.0]];
+/// Factor by which the squared distances of a triangle may grow.
+const WORSE: f64 = 1.5;
 /// Points of a border edge, each for half of its length.
 const EDGE_POINTS: [f64; 2] = [0.2, 0.8];
 /// Distance from a border edge beyond which a border is another one, as a share of the edge's length.
@@ -56,6 +58,34 @@ impl Pairs {
     /// The pairs of surfaces and borders.
     pub(super) fn all(&self) -> impl Iterator<Item = &Pair> {
         self.of_surfaces.iter().chain(self.of_borders.iter().map(|border| &border.pair))
+    }
+}
+
+/// What pairs say about the distance of each triangle of a level.
+pub(super) struct Distances {
+    /// Sum of squares, weighted by area.
+    squares: Vec<f64>,
+    /// Area of all pairs.
+    area: f64,
+    /// The largest square.
+    worst: Vec<f64>,
+}
+
+impl Distances {
+    pub(super) fn mean_square(&self) -> f64 {
+        self.squares.iter().sum::<f64>() / self.area.max(f64::MIN_POSITIVE)
+    }
+
+    /// Returns which triangles are farther away than in an earlier state of the level: farther than any triangle
+    /// was, or much farther than the triangle itself was. `noise` is a distance that does not matter.
+    pub(super) fn worse_than(&self, before: &Self, noise: f64) -> Vec<bool> {
+        let limit = before.worst.iter().copied().fold(noise * noise, f64::max);
+        let is_worse = |t: usize| {
+            self.worst[t] > limit
+                || (self.squares[t] > WORSE * before.squares[t]
+                    && self.worst[t] > before.worst[t] + noise * noise)
+        };
+        (0..self.worst.len()).map(is_worse).collect()
     }
 }
 
@@ -114,11 +144,18 @@ impl Pairing {
         Ok(Self { original, level, borders, level_sides, of_original, of_level: of_level.collect() })
     }
 
-    /// Mean of the squared distances of pairs, weighted by area.
-    pub(super) fn mean_square(&self, pairs: &Pairs) -> f64 {
-        let squared = |pair: &Pair| pair.area * self.level.at(pair.level).distance_squared(pair.target);
-        let area: f64 = pairs.of_surfaces.iter().map(|pair| pair.area).sum();
-        pairs.of_surfaces.iter().map(squared).sum::<f64>() / area.max(f64::MIN_POSITIVE)
+    /// The distances of pairs of the level as it was when they were found.
+    pub(super) fn distances(&self, pairs: &Pairs) -> Distances {
+        let count = self.level.triangles.len();
+        let mut found = Distances { squares: vec![0.0; count], area: 0.0, worst: vec![0.0; count] };
+        for pair in &pairs.of_surfaces {
+            let t = pair.level.triangle as usize;
+            let square = self.level.at(pair.level).distance_squared(pair.target);
+            found.squares[t] += pair.area * square;
+            found.area += pair.area;
+            found.worst[t] = found.worst[t].max(square);
+        }
+        found
     }
 
     /// Finds the pairs of the level that this was made for, whose vertices may have moved.
