@@ -65,25 +65,25 @@ impl Pairs {
 pub(super) struct Distances {
     /// Sum of squares, weighted by area.
     squares: Vec<f64>,
-    /// Area of all pairs.
-    area: f64,
+    /// Area of the pairs.
+    areas: Vec<f64>,
     /// The largest square.
     worst: Vec<f64>,
 }
 
 impl Distances {
     pub(super) fn mean_square(&self) -> f64 {
-        self.squares.iter().sum::<f64>() / self.area.max(f64::MIN_POSITIVE)
+        self.squares.iter().sum::<f64>() / self.areas.iter().sum::<f64>().max(f64::MIN_POSITIVE)
     }
 
     /// Returns which triangles are farther away than in an earlier state of the level: farther than any triangle
-    /// was, or much farther than the triangle itself was. `noise` is a distance that does not matter.
+    /// was, or much farther than both the triangle itself and the mean were. `noise` is a distance that does not
+    /// matter.
     pub(super) fn worse_than(&self, before: &Self, noise: f64) -> Vec<bool> {
         let limit = before.worst.iter().copied().fold(noise * noise, f64::max);
+        let mean = before.mean_square().max(noise * noise);
         let is_worse = |t: usize| {
-            self.worst[t] > limit
-                || (self.squares[t] > WORSE * before.squares[t]
-                    && self.worst[t] > before.worst[t] + noise * noise)
+            self.worst[t] > limit || self.squares[t] > WORSE * before.squares[t].max(mean * self.areas[t])
         };
         (0..self.worst.len()).map(is_worse).collect()
     }
@@ -147,12 +147,13 @@ impl Pairing {
     /// The distances of pairs of the level as it was when they were found.
     pub(super) fn distances(&self, pairs: &Pairs) -> Distances {
         let count = self.level.triangles.len();
-        let mut found = Distances { squares: vec![0.0; count], area: 0.0, worst: vec![0.0; count] };
+        let mut found =
+            Distances { squares: vec![0.0; count], areas: vec![0.0; count], worst: vec![0.0; count] };
         for pair in &pairs.of_surfaces {
             let t = pair.level.triangle as usize;
             let square = self.level.at(pair.level).distance_squared(pair.target);
             found.squares[t] += pair.area * square;
-            found.area += pair.area;
+            found.areas[t] += pair.area;
             found.worst[t] = found.worst[t].max(square);
         }
         found
