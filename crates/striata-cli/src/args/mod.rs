@@ -160,8 +160,8 @@ pub(crate) struct BuildArgs {
         help_heading = STRIPS,
     )]
     pub(crate) strips: Option<StripChain>,
-    /// For lodstrips: make new strips for levels that would need more indices per triangle, for example 1.45
-    /// [default: edit the strips of the full mesh at all levels]
+    /// For lodstrips: make new strips for levels that would need more indices per triangle, or `none` to edit
+    /// the strips of the full mesh at all levels [default: 1.45]
     #[arg(long, value_name = "INDICES", value_parser = parse_strip_limit, help_heading = STRIPS)]
     pub(crate) max_strip_indices: Option<f64>,
     /// Options of stripifiers that search.
@@ -414,11 +414,13 @@ pub(crate) enum PlacementArg {
     Optimal,
 }
 
-/// Parses the limit of indices per triangle. Below 1.2 strips are made again and again without meeting it.
+/// Parses the limit of indices per triangle; `none` is infinite. Below 1.2 strips are made again and again
+/// without meeting it.
 fn parse_strip_limit(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
+        _ if text == "none" => Ok(f64::INFINITY),
         Ok(limit) if limit.is_finite() && limit >= 1.2 => Ok(limit),
-        _ => Err("must be a number, 1.2 or more".to_owned()),
+        _ => Err("must be a number, 1.2 or more, or none".to_owned()),
     }
 }
 
@@ -431,8 +433,8 @@ impl BuildArgs {
 
     /// Returns when LodStrips begin a stage with new strips.
     pub(crate) fn stages(&self) -> StageOptions {
-        let single = StageOptions::single();
-        self.max_strip_indices.map_or(single, |limit| single.with_max_indices_per_triangle(limit))
+        let stages = StageOptions::default();
+        self.max_strip_indices.map_or(stages, |limit| stages.with_max_indices_per_triangle(limit))
     }
 
     /// Returns the first given flag that has no effect without strips.

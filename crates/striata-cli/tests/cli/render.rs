@@ -99,7 +99,8 @@ fn strips_fans_and_triangles_are_colored_differently() {
     let (rows, report) =
         picture(&bench, "ball.striata --size 300x400 --colors surface,strips --levels 100%,20%");
     assert_eq!(report["triangle_count"].as_u64(), Some(2 * (512 + 102)), "{report}");
-    assert!(report["levels"][1]["strip_count"].as_u64() > Some(5), "{report}");
+    let strip_count = report["levels"][1]["strip_count"].as_u64().expect("a number");
+    assert!((1..=10).contains(&strip_count), "the coarse level has strips of its own: {report}");
     assert!(rows.drawn(0..150) > 9000 && rows.drawn(150..300) > 9000);
 }
 

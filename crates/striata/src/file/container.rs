@@ -62,10 +62,8 @@ impl SectionKind {
     pub const RECORDS: Self = Self(*b"LSAR");
     /// LodStrips: the levels at which later stages begin, and their strips in each group.
     pub const STAGES: Self = Self(*b"LSST");
-    /// LodStrips: number of indices of each strip of later stages.
-    pub const STAGE_LENGTHS: Self = Self(*b"LSSL");
-    /// LodStrips: indices of the strips of later stages.
-    pub const STAGE_INDICES: Self = Self(*b"LSSX");
+    /// LodStrips: strips of later stages as walks over the triangles of their levels.
+    pub const STAGE_WALKS: Self = Self(*b"LSSW");
     /// MTS: for each strip, how long its slots survive and where it breaks.
     pub const LIFETIMES: Self = Self(*b"MTLT");
     /// MTS: head of each record, which gives its length.
@@ -136,8 +134,7 @@ impl SectionKind {
             Self::RECORD_HEADS,
             Self::RECORDS,
             Self::STAGES,
-            Self::STAGE_LENGTHS,
-            Self::STAGE_INDICES,
+            Self::STAGE_WALKS,
             Self::LIFETIMES,
             Self::CHANGE_HEADS,
             Self::CHANGES,

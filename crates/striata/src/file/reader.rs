@@ -14,11 +14,11 @@ use crate::mesh::{
     TriangleGroup, layers_from_sorted, level_sources,
 };
 use crate::model::fans::FansParts;
-use crate::model::lod_strips::LodStripsParts;
+use crate::model::lod_strips::{LodStripsParts, StageHead};
 use crate::model::mts::MtsParts;
 use crate::model::{
-    Fans, LodModel, LodStrips, ModelError, ModelKind, Mts, PackedVertices, Patterns, StepVertices,
-    StoredModel, StoredStrips, StripModel,
+    Fans, LodModel, LodStrips, ModelKind, Mts, PackedVertices, Patterns, StepVertices, StoredModel,
+    StoredStrips, StripModel,
 };
 use crate::strip::{StripSet, strip_triangles};
 
@@ -343,12 +343,12 @@ impl<'a> StriataFile<'a> {
 
     fn read_lod_strips(&self) -> Result<LodStrips<'a>, DecodeError> {
         let vertices = self.step_vertices()?;
-        let mut stages = vec![(self.summary.step_count, self.stored_strips(ModelKind::LodStrips)?)];
-        if self.has(SectionKind::STAGES) {
-            self.read_stages(&vertices, &mut stages)?;
-        }
+        let has_stages = self.has(SectionKind::STAGES);
+        let walks: &[u8] = if has_stages { self.container.get(SectionKind::STAGE_WALKS)? } else { &[] };
         let parts = LodStripsParts {
-            stages,
+            strips: self.stored_strips(ModelKind::LodStrips)?,
+            stages: if has_stages { self.stage_heads()? } else { Vec::new() },
+            walks: walks.into(),
             heads: self.container.get(SectionKind::RECORD_HEADS)?.into(),
             arena: self.container.get(SectionKind::RECORDS)?.into(),
         };
@@ -358,44 +358,17 @@ impl<'a> StriataFile<'a> {
         Ok(model)
     }
 
-    /// Reads the strips of the later stages of LodStrips.
-    fn read_stages(
-        &self,
-        vertices: &StepVertices<'_>,
-        stages: &mut Vec<(usize, StoredStrips<'a>)>,
-    ) -> Result<(), DecodeError> {
-        let (kind, container) = (SectionKind::STAGES, &self.container);
-        let table = container.numbers::<u32>(kind)?;
-        let mut lengths = container.get(SectionKind::STAGE_LENGTHS)?;
-        let mut indices = container.get(SectionKind::STAGE_INDICES)?;
-        let malformed = |kind, reason| DecodeError::Malformed { kind, offset: 0, reason };
+    /// Where the later stages of LodStrips begin.
+    fn stage_heads(&self) -> Result<Vec<StageHead>, DecodeError> {
+        let kind = SectionKind::STAGES;
+        let table = self.container.numbers::<u32>(kind)?;
         let row = 1 + self.summary.group_count.max(1);
         if !table.len().is_multiple_of(row) {
-            return Err(malformed(kind, "the length is not that of whole stages"));
+            let reason = "the length is not that of whole stages";
+            return Err(DecodeError::Malformed { kind, offset: 0, reason });
         }
-        vertices.check_firsts(self.summary.step_count).map_err(stage_error)?;
-        for stage in table.chunks_exact(row) {
-            let (split_count, counts) = (stage[0] as usize, &stage[1..]);
-            if split_count >= self.summary.step_count {
-                return Err(malformed(kind, "a stage begins above the full mesh"));
-            }
-            let groups = offsets_of(counts).ok_or(malformed(kind, "there are too many strips"))?;
-            let strip_count = groups[counts.len()] as usize;
-            let of_stage = lengths
-                .split_off(..strip_count)
-                .ok_or(malformed(SectionKind::STAGE_LENGTHS, "there are too few lengths"))?;
-            let slot_count = of_stage.iter().map(|&length| usize::from(length)).sum();
-            let vertex_count = vertices.count_at(split_count);
-            let bytes = indices
-                .split_off(..PackedVertices::byte_count(slot_count, vertex_count))
-                .ok_or(malformed(SectionKind::STAGE_INDICES, "there are too few indices"))?;
-            let strips = StoredStrips::from_parts(groups.into(), of_stage.into(), bytes.into(), vertex_count);
-            stages.push((split_count, strips.map_err(stage_error)?));
-        }
-        for (kind, rest) in [(SectionKind::STAGE_LENGTHS, lengths), (SectionKind::STAGE_INDICES, indices)] {
-            self.expect(kind, "bytes after the last stage", rest.len(), 0)?;
-        }
-        Ok(())
+        let head = |row: &[u32]| StageHead { split_count: row[0] as usize, strip_counts: row[1..].to_vec() };
+        Ok(table.chunks_exact(row).map(head).collect())
     }
 
     /// The MTS model, if the file has one; borrowed from the file and validated once, so that no move can
@@ -656,17 +629,4 @@ impl<'a> StriataFile<'a> {
         let (found, expected) = (found as u64, expected as u64);
         if found == expected { Ok(()) } else { Err(DecodeError::Count { kind, what, found, expected }) }
     }
-}
-
-fn stage_error(reason: ModelError) -> DecodeError {
-    DecodeError::Model { model: ModelKind::LodStrips, reason }
-}
-
-/// Offsets from counts: 0, then the sums; `None` if they do not fit into 32 bits.
-fn offsets_of(counts: &[u32]) -> Option<Vec<u32>> {
-    let mut offsets = vec![0u32];
-    for &count in counts {
-        offsets.push(offsets[offsets.len() - 1].checked_add(count)?);
-    }
-    Some(offsets)
 }

@@ -49,7 +49,7 @@ impl<'m> FileModel<'m> {
     /// The strips of the full mesh that the model uses, if any.
     fn strips(&self) -> Option<&'m StoredStrips<'m>> {
         match *self {
-            Self::LodStrips(model) => model.parts().0.next().map(|(_, strips)| strips),
+            Self::LodStrips(model) => Some(model.full_strips()),
             Self::Mts(model) => Some(&model.parts().strips),
             Self::Fans(_) | Self::Patterns(_) | Self::Progressive(_) => None,
         }
@@ -100,19 +100,16 @@ impl<'m> FileModel<'m> {
 
 /// Sections of LodStrips, without the strips of the full mesh.
 fn lod_strips_sections<'m>(model: &'m LodStrips<'m>) -> Vec<(SectionKind, Cow<'m, [u8]>)> {
-    let (stages, heads, arena) = model.parts();
-    let (mut table, mut lengths, mut indices) = (Vec::<u32>::new(), Vec::new(), Vec::new());
-    for (split_count, strips) in stages.skip(1) {
-        table.push(split_count as u32);
-        table.extend(strips.group_offsets.windows(2).map(|w| w[1] - w[0]));
-        lengths.extend_from_slice(&strips.lengths);
-        indices.extend_from_slice(strips.indices.bytes());
-    }
+    let [heads, arena] = model.records();
     let mut sections = vec![(SectionKind::RECORD_HEADS, heads.into()), (SectionKind::RECORDS, arena.into())];
-    if !table.is_empty() {
+    let (stages, walks) = model.later_stages();
+    if !stages.is_empty() {
+        let rows = stages.iter().flat_map(|stage| {
+            std::iter::once(stage.split_count as u32).chain(stage.strip_counts.iter().copied())
+        });
+        let table: Vec<u32> = rows.collect();
         sections.push((SectionKind::STAGES, bytes_of(&table).into_owned().into()));
-        sections.push((SectionKind::STAGE_LENGTHS, lengths.into()));
-        sections.push((SectionKind::STAGE_INDICES, indices.into()));
+        sections.push((SectionKind::STAGE_WALKS, walks.into()));
     }
     sections
 }

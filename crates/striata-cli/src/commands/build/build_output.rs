@@ -59,7 +59,7 @@ impl BuildPlan {
         Self {
             sequence: SequencePlan::default(),
             strips: BuildArgs::default_strip_plan(),
-            stages: StageOptions::single(),
+            stages: StageOptions::default(),
             models: vec![ModelKind::LodStrips],
             stream: StreamOptions::default(),
             has_overlap_errors: false,

@@ -7,7 +7,7 @@ mod report;
 
 pub(crate) use self::build_output::{BuildOutput, BuildPlan, PHASES, build, errors_are_guaranteed};
 pub(crate) use self::costs::{ModelCost, model_costs};
-pub(crate) use self::models::model_of_name;
+pub(crate) use self::models::{model_of_name, parts_in_file};
 
 use std::path::{Path, PathBuf};
 

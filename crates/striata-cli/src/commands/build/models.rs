@@ -21,6 +21,12 @@ pub(crate) fn model_of_name(name: &str) -> Result<ModelKind, Failure> {
     name.parse().map_err(|_| unknown_name("model", name, &ModelKind::ALL.map(ModelKind::as_str)))
 }
 
+/// The parts that a file has, without what is made of them in memory.
+pub(crate) fn parts_in_file(mut parts: Vec<PartBytes>) -> Vec<PartBytes> {
+    parts.retain(|part| ![Fans::MADE_RECORDS, LodStrips::LATER_STRIPS].contains(&part.name));
+    parts
+}
+
 /// Whether a model is built from strips.
 pub(super) fn takes_strips(model: &ModelKind) -> bool {
     matches!(model, ModelKind::LodStrips | ModelKind::Mts)
@@ -40,8 +46,9 @@ pub(super) struct StripSource<'a> {
 impl StripSource<'_> {
     /// Builds LodStrips, with new strips for each stage.
     fn lod_strips(&self, refinable: &RefinableMesh) -> Result<LodStrips<'static>, Failure> {
+        let full_count = refinable.mesh.triangle_count();
         LodStrips::build_staged(refinable, self.full, &self.stages, |level| {
-            Ok(self.plan.run(level, &mut |_| ())?.strips)
+            Ok(self.plan.run_for_level(level, full_count)?)
         })
     }
 }
@@ -103,14 +110,10 @@ impl Models {
 
     /// Returns the sizes of the parts of each model.
     pub(super) fn parts(&self) -> Vec<(ModelKind, Vec<PartBytes>)> {
-        let lod_strips = self.lod_strips.iter().map(|model| (ModelKind::LodStrips, model.bytes()));
+        let in_file = |kind: ModelKind, parts| (kind, parts_in_file(parts));
+        let lod_strips = self.lod_strips.iter().map(|model| in_file(ModelKind::LodStrips, model.bytes()));
         let mts = self.mts.iter().map(|model| (ModelKind::Mts, model.bytes()));
-        let fans = self.fans.iter().map(|model| (ModelKind::Fans, model.bytes()));
-        // Files do not have the records that views make in memory.
-        let fans = fans.map(|(kind, mut parts)| {
-            parts.retain(|part| part.name != Fans::MADE_RECORDS);
-            (kind, parts)
-        });
+        let fans = self.fans.iter().map(|model| in_file(ModelKind::Fans, model.bytes()));
         let patterns = self.patterns.iter().map(|model| (ModelKind::Patterns, model.bytes()));
         let parts_of_stream = |s: &EncodedStream| vec![PartBytes { name: "stream", bytes: s.bytes.len() }];
         let streams = self.stream.iter().map(|stream| (ModelKind::Progressive, parts_of_stream(stream)));

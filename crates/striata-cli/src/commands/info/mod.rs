@@ -15,7 +15,7 @@ use striata_stream::{StreamDefect, StreamInfo};
 
 use self::limits::{Parts, Seams, Steps, notes};
 use crate::args::InfoArgs;
-use crate::commands::build::{ModelCost, errors_are_guaranteed, model_costs};
+use crate::commands::build::{ModelCost, errors_are_guaranteed, model_costs, parts_in_file};
 use crate::commands::paged;
 use crate::commands::scene::SceneFacts;
 use striata_command::failure::Failure;
@@ -144,7 +144,8 @@ fn of_container(input: &Input, output: &Output) -> Result<(Report, IndexedMesh),
     }
     if let Some(model) = file.lod_strips() {
         let model = model.map_err(|error| input.damaged(&error))?;
-        report.add_model(ModelKind::LodStrips, &model.bytes(), Some(model.strip_count()));
+        let strip_count = model.draw_counts(&model.new_state()).strip_count;
+        report.add_model(ModelKind::LodStrips, &parts_in_file(model.bytes()), Some(strip_count));
     }
     if let Some(model) = file.mts() {
         let model = model.map_err(|error| input.damaged(&error))?;
@@ -152,7 +153,7 @@ fn of_container(input: &Input, output: &Output) -> Result<(Report, IndexedMesh),
     }
     if let Some(model) = file.fans() {
         let fans = model.map_err(|error| input.damaged(&error))?;
-        report.add_model(ModelKind::Fans, &fans.bytes(), None);
+        report.add_model(ModelKind::Fans, &parts_in_file(fans.bytes()), None);
     }
     if let Some(model) = file.patterns() {
         let patterns = model.map_err(|error| input.damaged(&error))?;

@@ -1,15 +1,19 @@
 //! Builds records and stages in one pass from the full mesh to the base, tracking which strips use each
 //! vertex.
 
+use std::borrow::Cow;
+
 use super::record::{ARENA_PADDING, Drop, Edit, RecordFormat};
-use super::{LodStrips, LodStripsParts, MAX_STRIP_INDICES, StageOptions};
+use super::stage::{Stage, group_offsets};
+use super::walks::{self, Ground};
+use super::{LodStrips, MAX_STRIP_INDICES, StageOptions};
 use crate::mesh::{CollapseSequence, IndexedMesh, RefinableMesh, TriangleGroup};
 use crate::model::ModelError;
 use crate::model::packed_vertices::PackedVertices;
 use crate::model::step_vertices::StepVertices;
 use crate::model::stored_strips::StoredStrips;
 use crate::model::strip_input::{check_strips, sorted_spatially};
-use crate::model::strip_run::Run;
+use crate::model::strip_run::{Run, restore_run};
 use crate::model::superfluous::drop_superfluous;
 use crate::strip::{StripSet, strip_triangles};
 
@@ -69,7 +73,7 @@ impl LodStrips<'static> {
                 let level = builder.level(step);
                 let strips = stripify(&level)?;
                 check_strips(&level, &strips)?;
-                builder.offer_stage(step, &strips, before);
+                builder.offer_stage(step, &strips, before)?;
             }
         }
         Ok(builder.finish())
@@ -79,8 +83,10 @@ impl LodStrips<'static> {
 struct Builder<'r> {
     refinable: &'r RefinableMesh,
     sequence: &'r CollapseSequence,
-    stages: Vec<(usize, StoredStrips<'static>)>,
+    stages: Vec<Stage<'static>>,
     current: CurrentStage,
+    /// What the last step has done to the current strips.
+    step_edits: Vec<(u32, Edit)>,
     /// Records in the order in which they are written: from the last vertex to the base.
     arena: Vec<u8>,
     /// Head and length of each record, in the same order.
@@ -104,8 +110,13 @@ impl<'r> Builder<'r> {
         Self {
             refinable,
             sequence,
-            stages: vec![(sequence.step_count(), StoredStrips::pack(&strips, vertex_count))],
+            stages: vec![Stage::new(
+                sequence.step_count(),
+                StoredStrips::pack(&strips, vertex_count),
+                Cow::default(),
+            )],
             current: CurrentStage::new(strips, vertex_count),
+            step_edits: Vec::new(),
             arena: Vec::new(),
             records: Vec::with_capacity(sequence.targets().len()),
             tried_at: usize::MAX,
@@ -118,11 +129,13 @@ impl<'r> Builder<'r> {
 
     /// Collapses the vertices of a step and writes their records.
     fn write_step(&mut self, step: usize) {
+        self.step_edits.clear();
         for vertex in self.sequence.step_vertices(step).rev() {
             self.current.collapse(vertex, self.sequence.target(vertex));
             let start = self.arena.len();
             let head = self.current.format.write(&self.current.edit, &mut self.arena);
             self.records.push((head, (self.arena.len() - start) as u32));
+            self.step_edits.push((vertex, self.current.edit.clone()));
         }
     }
 
@@ -153,17 +166,42 @@ impl<'r> Builder<'r> {
 
     /// Begins a stage with these strips of the level after a step, if they need fewer indices than the
     /// current ones. The records of the step, written after `before`, are then not needed.
-    fn offer_stage(&mut self, step: usize, strips: &StripSet, before: Written) {
+    fn offer_stage(&mut self, step: usize, strips: &StripSet, before: Written) -> Result<(), ModelError> {
         let strips = sorted_spatially(&strips.cut(MAX_STRIP_INDICES), &self.refinable.mesh.positions);
         let vertex_count = self.sequence.step_vertices(step).start as usize;
         let stage = CurrentStage::new(strips, vertex_count);
         if stage.index_count() >= self.current.index_count() {
-            return;
+            return Ok(());
         }
+        let walks = walks::write(self.ground(step), &stage.strips).map_err(|place| {
+            let reason = "shows a triangle that the level does not have";
+            ModelError::Listed { what: "strip", place, reason }
+        })?;
         self.arena.truncate(before.arena);
         self.records[before.records..].fill((0, 0));
-        self.stages.push((step, StoredStrips::pack(&stage.strips, vertex_count)));
+        let stored = StoredStrips::pack(&stage.strips, vertex_count);
+        self.stages.push(Stage::new(step, stored, walks.into()));
         self.current = stage;
+        Ok(())
+    }
+
+    /// The triangles of the level after a step, as readers find them: those of the level before the step, with
+    /// the vertices of the step replaced. The current strips are then those before the step.
+    fn ground(&mut self, step: usize) -> Ground {
+        for (vertex, edit) in self.step_edits.iter().rev() {
+            self.current.undo(*vertex, edit);
+        }
+        let vertex_count = self.sequence.step_vertices(step).start;
+        let after_step = |v: u32| if v < vertex_count { v } else { self.sequence.target(v) };
+        let mut ground = Ground::new(vertex_count as usize);
+        let strips = &self.current.strips;
+        for group in 0..strips.group_count() {
+            for strip in strips.group_strips(group) {
+                ground.add_strip(self.current.live(strip), after_step);
+            }
+            ground.end_group();
+        }
+        ground
     }
 
     fn finish(self) -> LodStrips<'static> {
@@ -178,8 +216,8 @@ impl<'r> Builder<'r> {
         let heads = self.records.iter().rev().map(|record| record.0).collect();
         let vertices = StepVertices::of_sequence(self.sequence).without_targets();
         let targets = PackedVertices::pack(self.sequence.targets(), self.refinable.mesh.vertex_count());
-        let parts = LodStripsParts { stages: self.stages, heads, arena: arena.into() };
-        LodStrips::unchecked(vertices, targets, parts)
+        let group_offsets = group_offsets(&self.stages);
+        LodStrips { vertices, targets, stages: self.stages, heads, arena: arena.into(), group_offsets }
     }
 }
 
@@ -243,6 +281,16 @@ impl CurrentStage {
         for &strip in &touched {
             self.edit_strip(strip, vertex, target);
         }
+    }
+
+    /// Undoes the last edit that has not been undone, by which a vertex collapsed.
+    fn undo(&mut self, vertex: u32, edit: &Edit) {
+        for &Drop { strip, run } in edit.drops.iter().rev() {
+            self.lengths[strip as usize] += run.count;
+            let first = self.strips.offsets()[strip as usize] as usize;
+            restore_run(&mut self.slots[first..first + self.lengths[strip as usize] as usize], run);
+        }
+        edit.slots.iter().for_each(|&slot| self.slots[slot as usize] = vertex);
     }
 
     fn edit_strip(&mut self, strip: u32, vertex: u32, target: u32) {

@@ -98,7 +98,7 @@ mod tests {
         let lengths = [10, 0, 5, 40, 1, 8, 0, 100, 3];
         lengths.iter().for_each(|&length| strips.push(&vec![0; length]));
         strips.end_group();
-        let stage = Stage::new(0, StoredStrips::pack(&strips, 1));
+        let stage = Stage::new(0, StoredStrips::pack(&strips, 1), Default::default());
         let firsts = stage.strips.firsts();
         for slots in [&[0][..], &[14], &[15], &[16, 63], &[9, 55, 166], &[20, 40, 54, 55, 70], &[]] {
             let mut changes = Changes::none(stage.strips.slot_count());

@@ -27,6 +27,9 @@
 //! record is a few bytes that can be read in both directions. Strips are sorted along a space-filling curve, so
 //! that the slots of a vertex are close to each other. Vertices are packed in as many bits as they need.
 //!
+//! A file stores the strips of later stages as `walks` over the triangles of their levels, which take a tenth of
+//! the bytes of their indices.
+//!
 //! Cost: a step writes about three slots and moves 0.8 ends of strips, 24 to 35 ns on the bunny. What took 42 ns
 //! and more before were branches: a substitution now names a slot instead of a strip and a place in it, and drops come
 //! after all substitutions, so that a record is two loops over numbers of fixed width. Building takes time
@@ -40,6 +43,7 @@ mod stage_options;
 mod state;
 mod strip_buffer;
 mod validate;
+mod walks;
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -50,7 +54,10 @@ pub use strip_buffer::StripBuffer;
 
 pub use super::stored_strips::MAX_STRIP_INDICES;
 
+pub(crate) use self::stage::StageHead;
+
 use self::stage::Stage;
+use super::bits::PADDING;
 use super::packed_vertices::PackedVertices;
 use super::step_vertices::StepVertices;
 use super::stored_strips::StoredStrips;
@@ -78,8 +85,12 @@ pub struct LodStrips<'a> {
 
 /// The stored arrays of a model, except for those that come from the sequence.
 pub(crate) struct LodStripsParts<'a> {
-    /// The strips of each stage and the split count at which it begins, from fine to coarse.
-    pub(crate) stages: Vec<(usize, StoredStrips<'a>)>,
+    /// The strips of the full mesh.
+    pub(crate) strips: StoredStrips<'a>,
+    /// The later stages, from fine to coarse.
+    pub(crate) stages: Vec<StageHead>,
+    /// The strips of the later stages as [`walks`], then padding.
+    pub(crate) walks: Cow<'a, [u8]>,
     pub(crate) heads: Cow<'a, [u8]>,
     pub(crate) arena: Cow<'a, [u8]>,
 }
@@ -94,23 +105,22 @@ pub struct EditCounts {
 }
 
 impl<'a> LodStrips<'a> {
+    /// Name of the part that is in memory only: a file has the walks.
+    pub const LATER_STRIPS: &'static str = "strips of later stages";
+
     /// Assembles a model from stored arrays and validates every record, so that no later move can fail.
     pub(crate) fn from_parts(
         vertices: StepVertices<'a>,
         targets: PackedVertices<'a>,
         parts: LodStripsParts<'a>,
     ) -> Result<Self, ModelError> {
-        let model = Self::unchecked(vertices, targets, parts);
-        validate::check(&model)?;
+        let LodStripsParts { strips, stages, walks, heads, arena } = parts;
+        let full = Stage::new(vertices.step_count(), strips, Cow::default());
+        let group_offsets = Vec::new();
+        let mut model = Self { vertices, targets, stages: vec![full], heads, arena, group_offsets };
+        validate::read_stages(&mut model, &stages, walks)?;
+        model.group_offsets = stage::group_offsets(&model.stages);
         Ok(model)
-    }
-
-    fn unchecked(vertices: StepVertices<'a>, targets: PackedVertices<'a>, parts: LodStripsParts<'a>) -> Self {
-        let LodStripsParts { stages, heads, arena } = parts;
-        let stages: Vec<Stage<'a>> =
-            stages.into_iter().map(|(split_count, strips)| Stage::new(split_count, strips)).collect();
-        let group_offsets = stage::group_offsets(&stages);
-        Self { vertices, targets, stages, heads, arena, group_offsets }
     }
 
     /// Returns a copy that owns its arrays.
@@ -155,12 +165,21 @@ impl<'a> LodStrips<'a> {
         counts
     }
 
-    /// The stored arrays: for each stage its split count and its strips, then heads and records.
-    pub(crate) fn parts<'s>(
-        &'s self,
-    ) -> (impl Iterator<Item = (usize, &'s StoredStrips<'a>)>, &'s [u8], &'s [u8]) {
-        let stages = self.stages.iter().map(|stage| (stage.split_count, &stage.strips));
-        (stages, &self.heads, &self.arena)
+    /// The strips of the full mesh.
+    pub(crate) fn full_strips(&self) -> &StoredStrips<'a> {
+        &self.stages[0].strips
+    }
+
+    /// The later stages, and their walks with padding.
+    pub(crate) fn later_stages(&self) -> (Vec<StageHead>, Vec<u8>) {
+        let later = &self.stages[1..];
+        let walks = later.iter().flat_map(|stage| stage.walks.iter().copied());
+        (later.iter().map(Stage::head).collect(), walks.chain([0; PADDING]).collect())
+    }
+
+    /// Heads and records.
+    pub(crate) fn records(&self) -> [&[u8]; 2] {
+        [&self.heads, &self.arena]
     }
 
     #[inline]
@@ -234,12 +253,14 @@ impl LodModel for LodStrips<'_> {
             sizes.fold([0; 2], |sum, bytes| [sum[0] + bytes[0], sum[1] + bytes[1]])
         };
         let (first, later) = self.stages.split_at(1);
-        let ([strips, offsets], [later_strips, later_offsets]) = (of_stages(first), of_stages(later));
+        let ([strips, offsets], later_bytes) = (of_stages(first), of_stages(later));
+        let later_strips = later_bytes[0] + later_bytes[1] + 4 * self.group_offsets.len();
         let targets = self.targets.bytes().len() + 4 * self.vertices.word_count();
         vec![
             part("strips", strips),
-            part("strip offsets", offsets + later_offsets + 4 * self.group_offsets.len()),
-            part("strips of later stages", later_strips),
+            part("strip offsets", offsets),
+            part("walks of later stages", self.stages.iter().map(|stage| stage.walks.len()).sum()),
+            part(Self::LATER_STRIPS, later_strips),
             part("targets", targets),
             part("record heads", self.heads.len()),
             part("records", self.arena.len()),

@@ -54,7 +54,7 @@ pub(super) struct Drop {
 }
 
 /// Everything that the collapse of a vertex changes in the strips.
-#[derive(Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Edit {
     /// Slots of the vertex before any drop, ascending.
     pub(super) slots: Vec<u32>,

@@ -1,5 +1,7 @@
 //! One set of strips and the levels that it serves.
 
+use std::borrow::Cow;
+
 use super::record::RecordFormat;
 use crate::model::stored_strips::StoredStrips;
 
@@ -9,19 +11,36 @@ pub(super) struct Stage<'a> {
     pub(super) split_count: usize,
     /// The strips at that level.
     pub(super) strips: StoredStrips<'a>,
+    /// The strips as [`walks`](super::walks) over the triangles of that level; empty for the full mesh.
+    pub(super) walks: Cow<'a, [u8]>,
     /// Widths of the numbers in its records.
     pub(super) format: RecordFormat,
 }
 
 impl<'a> Stage<'a> {
-    pub(super) fn new(split_count: usize, strips: StoredStrips<'a>) -> Self {
+    pub(super) fn new(split_count: usize, strips: StoredStrips<'a>, walks: Cow<'a, [u8]>) -> Self {
         let format = RecordFormat::new(strips.slot_count(), strips.strip_count());
-        Self { split_count, strips, format }
+        Self { split_count, strips, walks, format }
+    }
+
+    /// How a file announces the stage.
+    pub(super) fn head(&self) -> StageHead {
+        let strip_counts = self.strips.group_offsets.windows(2).map(|w| w[1] - w[0]).collect();
+        StageHead { split_count: self.split_count, strip_counts }
     }
 
     pub(super) fn into_owned(self) -> Stage<'static> {
-        Stage { strips: self.strips.into_owned(), ..self }
+        let (strips, walks) = (self.strips.into_owned(), self.walks.into_owned().into());
+        Stage { split_count: self.split_count, strips, walks, format: self.format }
     }
+}
+
+/// What is known of a stage before its strips are read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct StageHead {
+    pub(crate) split_count: usize,
+    /// Number of strips in each group.
+    pub(crate) strip_counts: Vec<u32>,
 }
 
 /// First strip of each group, followed by the number of strips, where the strips of all stages count. The

@@ -3,33 +3,69 @@
 //! All records are applied once, from the full mesh to the base, to a copy of the strips. Every slot and run
 //! must lie within the live part of a strip, every replaced vertex must be found at its slot, and it may not
 //! be left over anywhere else. A model that passes can be moved up and down without failing, and each of its
-//! levels uses only vertices of that level. Takes the time of one full sweep and the memory of one instance.
+//! levels uses only vertices of that level. The strips of each stage are read when the sweep arrives there, as
+//! they show the triangles that the stage before it ends with. Takes the time of one full sweep and the memory
+//! of one instance.
+
+use std::borrow::Cow;
 
 use super::record::{ARENA_PADDING, Drop, LONG, LongRecord, long_record_before};
-use super::stage::Stage;
+use super::stage::{Stage, StageHead};
+use super::walks::{self, Ground};
 use super::{LodStrips, ModelError};
+use crate::model::bits::PADDING;
+use crate::model::stored_strips::StoredStrips;
 use crate::model::strip_run::drop_run;
 
 const TRUNCATED: &str = "ends too early";
 
-pub(super) fn check(model: &LodStrips<'_>) -> Result<(), ModelError> {
-    check_shape(model)?;
-    let mut cursor = model.arena.len() - ARENA_PADDING;
-    for (stage, vertices) in model.stages_with_vertices() {
+/// Reads the later stages of a model that has only its first, and checks all records.
+pub(super) fn read_stages<'a>(
+    model: &mut LodStrips<'a>,
+    later: &[StageHead],
+    walks: Cow<'a, [u8]>,
+) -> Result<(), ModelError> {
+    check_shape(model, later)?;
+    let (mut cursor, mut read) = (model.arena.len() - ARENA_PADDING, 0);
+    for place in 0..=later.len() {
+        let next = later.get(place);
+        let coarsest = next.map_or(0, |next| next.split_count + 1);
+        let stage = &model.stages[place];
         let mut sweep = Sweep::new(model, stage, cursor);
-        for vertex in vertices.rev() {
+        let [first, end] = [coarsest, stage.split_count].map(|count| model.vertices.count_at(count) as u32);
+        for vertex in (first..end).rev() {
             let step = model.vertices.step_of(vertex);
             sweep.apply(vertex).map_err(|reason| ModelError::Record { step, reason })?;
         }
         cursor = sweep.cursor;
+        if let Some(next) = next {
+            let ground = sweep.ground(next.split_count);
+            let rest = walks.get(read..).unwrap_or_default();
+            let (strips, length) = walks::read(ground, &next.strip_counts, rest).map_err(|reason| {
+                let place = place + 1;
+                ModelError::Listed { what: "stage", place, reason }
+            })?;
+            let vertex_count = model.vertices.count_at(next.split_count);
+            let strips = StoredStrips::pack(&strips, vertex_count);
+            let own = match &walks {
+                Cow::Borrowed(walks) => walks[read..read + length].into(),
+                Cow::Owned(walks) => walks[read..read + length].to_vec().into(),
+            };
+            read += length;
+            model.stages.push(Stage::new(next.split_count, strips, own));
+        }
     }
     if cursor != 0 {
         return Err(ModelError::Length { what: "record bytes left", found: cursor, expected: 0 });
     }
+    let (found, expected) = (walks.len(), if later.is_empty() { 0 } else { read + PADDING });
+    if found != expected {
+        return Err(ModelError::Length { what: "bytes of walks", found, expected });
+    }
     Ok(())
 }
 
-fn check_shape(model: &LodStrips<'_>) -> Result<(), ModelError> {
+fn check_shape(model: &LodStrips<'_>, later: &[StageHead]) -> Result<(), ModelError> {
     let step_count = model.vertices.step_count();
     model.vertices.check(step_count, &model.targets)?;
     let (found, expected) = (model.heads.len(), model.targets.len());
@@ -40,24 +76,23 @@ fn check_shape(model: &LodStrips<'_>) -> Result<(), ModelError> {
         let (found, expected) = (model.arena.len(), ARENA_PADDING);
         return Err(ModelError::Length { what: "record bytes", found, expected });
     }
-    check_stages(model, step_count)
+    check_stages(model, later)
 }
 
 /// Checks that stages follow each other from the full mesh down, and that all have the same groups.
-fn check_stages(model: &LodStrips<'_>, step_count: usize) -> Result<(), ModelError> {
-    let group_count = model.stages[0].strips.group_offsets.len();
-    let mut above = step_count + 1;
-    for (place, stage) in model.stages.iter().enumerate() {
-        let is_first = place == 0;
-        let reason = if stage.split_count >= above || (is_first && stage.split_count != step_count) {
+fn check_stages(model: &LodStrips<'_>, later: &[StageHead]) -> Result<(), ModelError> {
+    let group_count = model.full_strips().group_offsets.len() - 1;
+    let mut above = model.vertices.step_count();
+    for (place, stage) in later.iter().enumerate() {
+        let reason = if stage.split_count >= above {
             "does not begin below the one before it"
-        } else if stage.strips.group_offsets.len() != group_count {
+        } else if stage.strip_counts.len() != group_count {
             "has other groups than the mesh"
         } else {
             above = stage.split_count;
             continue;
         };
-        return Err(ModelError::Listed { what: "stage", place, reason });
+        return Err(ModelError::Listed { what: "stage", place: place + 1, reason });
     }
     Ok(())
 }
@@ -109,6 +144,24 @@ impl<'m, 'a> Sweep<'m, 'a> {
         Ok(())
     }
 
+    /// The triangles that the next stage begins with, one step below the last level of this one.
+    fn ground(&self, split_count: usize) -> Ground {
+        let (vertices, targets) = (&self.model.vertices, &self.model.targets);
+        let base = vertices.base_vertex_count();
+        let vertex_count = vertices.count_at(split_count);
+        let after_step = |v: u32| if v < vertex_count as u32 { v } else { targets.get((v - base) as usize) };
+        let strips = &self.stage.strips;
+        let mut ground = Ground::new(vertex_count);
+        for group in 0..strips.group_offsets.len() - 1 {
+            for strip in strips.group_strips(group) {
+                let first = strips.firsts()[strip] as usize;
+                ground.add_strip(&self.slots[first..first + self.lengths[strip] as usize], after_step);
+            }
+            ground.end_group();
+        }
+        ground
+    }
+
     fn substitute(&mut self, slot: u32, vertex: u32, target: u32) -> Result<(), &'static str> {
         let firsts = self.stage.strips.firsts();
         let strip = firsts.partition_point(|&first| first <= slot) - 1;
@@ -150,7 +203,6 @@ mod tests {
     use super::*;
     use crate::mesh::{RefinableMesh, shapes};
     use crate::model::lod_strips::{LodStripsParts, StageOptions};
-    use crate::model::stored_strips::StoredStrips;
     use crate::simplify::{SequenceOptions, build_sequence};
     use crate::strip::stripify;
 
@@ -174,9 +226,11 @@ mod tests {
         model: LodStrips<'static>,
         damage: impl FnOnce(&mut LodStripsParts<'static>),
     ) -> Result<(), ModelError> {
+        let (later, walks) = model.later_stages();
         let LodStrips { vertices, targets, stages, heads, arena, .. } = model;
-        let stages = stages.into_iter().map(|stage| (stage.split_count, stage.strips)).collect();
-        let mut parts = LodStripsParts { stages, heads, arena };
+        let strips = stages.into_iter().next().unwrap().strips;
+        let walks = if later.is_empty() { Vec::new() } else { walks }.into();
+        let mut parts = LodStripsParts { strips, stages: later, walks, heads, arena };
         damage(&mut parts);
         LodStrips::from_parts(vertices, targets, parts).map(drop)
     }
@@ -235,22 +289,30 @@ mod tests {
 
     #[test]
     fn stages_must_descend_and_have_the_same_groups() {
-        let with_split_count =
-            |stage: usize, split_count: usize| checked(staged(), |parts| parts.stages[stage].0 = split_count);
-        let reason = "does not begin below the one before it";
-        for (stage, split_count) in [(0, 3), (1, staged().vertices.step_count())] {
-            let expected = ModelError::Listed { what: "stage", place: stage, reason };
-            assert_eq!(with_split_count(stage, split_count), Err(expected));
-        }
-        let level_count = staged().vertices.count_at(staged().stages[1].split_count);
-        let found = checked(staged(), |parts| {
-            let StoredStrips { lengths, indices, .. } = parts.stages[1].1.clone();
-            let groups = vec![0, lengths.len() as u32, lengths.len() as u32];
-            let bytes = indices.bytes().to_vec();
-            let strips = StoredStrips::from_parts(groups.into(), lengths, bytes.into(), level_count);
-            parts.stages[1].1 = strips.unwrap();
-        });
+        let last = staged().stages.len() - 1;
+        let of_stage = |place: usize, damage: &dyn Fn(&mut StageHead)| {
+            checked(staged(), |parts| damage(&mut parts.stages[place - 1]))
+        };
+        let not_below = |place| {
+            let reason = "does not begin below the one before it";
+            Err(ModelError::Listed { what: "stage", place, reason })
+        };
+        let step_count = staged().vertices.step_count();
+        assert_eq!(of_stage(1, &|stage| stage.split_count = step_count), not_below(1));
+        assert_eq!(of_stage(last, &|stage| stage.split_count = step_count), not_below(last));
         let reason = "has other groups than the mesh";
-        assert_eq!(found, Err(ModelError::Listed { what: "stage", place: 1, reason }));
+        let expected = Err(ModelError::Listed { what: "stage", place: 1, reason });
+        assert_eq!(of_stage(1, &|stage| stage.strip_counts.push(0)), expected);
+    }
+
+    #[test]
+    fn stages_must_show_their_level() {
+        let refused = |damage: &dyn Fn(&mut LodStripsParts<'static>)| checked(staged(), damage).unwrap_err();
+        let found = refused(&|parts| parts.stages[0].strip_counts[0] -= 1);
+        assert!(matches!(found, ModelError::Listed { what: "stage", place: 1, .. }), "{found:?}");
+        let found = refused(&|parts| parts.walks.to_mut().push(0));
+        assert!(matches!(found, ModelError::Length { what: "bytes of walks", .. }), "{found:?}");
+        let found = refused(&|parts| parts.walks.to_mut().clear());
+        assert!(matches!(found, ModelError::Listed { what: "stage", place: 1, .. }), "{found:?}");
     }
 }
