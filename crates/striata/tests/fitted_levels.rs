@@ -217,5 +217,6 @@ fn assets_come_closer() {
     }
     let mean = (ratios.iter().map(|ratio| ratio.ln()).sum::<f64>() / ratios.len() as f64).exp();
     let worst = ratios.iter().copied().fold(0.0, f64::max);
-    assert!(mean < 0.85 && worst < 1.4, "mean {mean}, worst {worst}");
+    // Charts of a few triangles leave their vertices little room.
+    assert!(mean < 0.9 && worst < 1.1, "mean {mean}, worst {worst}");
 }
