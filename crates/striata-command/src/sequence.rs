@@ -95,6 +95,14 @@ impl Steps {
         }
     }
 
+    /// Returns the steps as fragments.
+    pub fn fragments(&self) -> Cow<'_, FragmentedMesh> {
+        match self {
+            Self::Collapses(refinable) => Cow::Owned(FragmentedMesh::from_collapses(refinable)),
+            Self::Fragments(fragmented) => Cow::Borrowed(fragmented),
+        }
+    }
+
     /// Returns the mesh of a level.
     pub fn level(&self, split_count: usize) -> IndexedMesh {
         match self {

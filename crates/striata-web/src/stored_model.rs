@@ -70,5 +70,5 @@ fn begin_group(mesh: &mut IndexedMesh, group: usize) {
 
 fn patterns_only() -> Failure {
     Failure::unsupported("the file contains only the patterns model, which pages cannot show")
-        .with_hint("convert it with `striata encode`, or rebuild it without --model patterns")
+        .with_hint("build it again with `striata build --models fans`")
 }

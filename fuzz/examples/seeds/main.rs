@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use striata::file::{FileModel, WriteOptions, to_striata, write_fragments};
-use striata::mesh::{FragmentedMesh, IndexedMesh, shapes};
+use striata::mesh::{FragmentedMesh, IndexedMesh};
 use striata::model::{Fans, LodStrips, Mts, Patterns};
 use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
 use striata::strip::stripify;
@@ -44,11 +44,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         for target in ["simplify", "stripify"] {
             fs::write(folder(target)?.join(i.to_string()), as_fuzz_input(mesh))?;
         }
-    }
-    let terrain = build_sequence(&shapes::terrain(8, 3), &SequenceOptions::default())?.refinable;
-    let (_, pages) = Fans::build(&terrain).to_pages(&terrain.mesh, 16);
-    for (page, bytes) in pages.iter().enumerate() {
-        fs::write(folder("fan_pages")?.join(page.to_string()), bytes)?;
     }
     for (target, name, bytes) in scenes::inputs()? {
         fs::write(folder(target)?.join(name), bytes)?;

@@ -40,12 +40,12 @@ pub(crate) struct RenderArgs {
     /// Fail and write nothing if a level cannot be reached
     #[arg(long)]
     pub(crate) strict: bool,
-    /// Model that provides the triangles: lodstrips, mts, fans or list (the mesh itself) [default: the first
-    /// of these in the file, else list]
+    /// Model that provides the triangles: lodstrips, mts, fans, patterns or list (the mesh itself) [default: the
+    /// first of these in the file, else list]
     #[arg(long, value_name = "NAME", hide_possible_values = true)]
     pub(crate) model: Option<DrawnModel>,
-    /// Color by surface (materials, vertex colors, or plain stone), strips, fans, triangles or groups; several
-    /// get a row each
+    /// Color by surface (materials, vertex colors, or plain stone), strips, fans, triangles, groups or fragments
+    /// (triangles that one step inserted); several get a row each
     #[arg(
         long,
         value_name = "NAME,...",
@@ -177,6 +177,7 @@ impl ValueEnum for DrawnModel {
                 Self::Model(ModelKind::LodStrips),
                 Self::Model(ModelKind::Mts),
                 Self::Model(ModelKind::Fans),
+                Self::Model(ModelKind::Patterns),
                 Self::List,
             ]
         }
@@ -187,6 +188,7 @@ impl ValueEnum for DrawnModel {
             Self::Model(ModelKind::LodStrips) => "Strips that are edited in place",
             Self::Model(ModelKind::Mts) => "Strips that are traversed again for each level",
             Self::Model(ModelKind::Fans) => "Fans, drawn as a triangle list",
+            Self::Model(ModelKind::Patterns) => "Fragments that any step may leave, drawn as a triangle list",
             Self::Model(_) => return None,
             Self::List => "The mesh itself",
         };

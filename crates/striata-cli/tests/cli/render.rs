@@ -69,7 +69,7 @@ fn all_models_show_the_same_level() {
     };
     let (list, report) = of("list");
     assert_eq!(report["levels"][0]["model"], "list");
-    for model in ["lodstrips", "mts", "fans"] {
+    for model in ["lodstrips", "mts", "fans", "patterns"] {
         let (other, report) = of(model);
         assert_eq!(report["levels"][0]["model"], model);
         assert!(list.differing(&other) < 8, "{model}: {} pixels", list.differing(&other));
@@ -91,7 +91,7 @@ fn strips_fans_and_triangles_are_colored_differently() {
         shares.collect::<std::collections::BTreeSet<_>>().len()
     };
     let plain = hues(&picture(&bench, "ball.striata --size 200x150 --background none").0);
-    for colors in ["strips", "fans", "triangles"] {
+    for colors in ["strips", "fans", "triangles", "fragments"] {
         let (colored, _) =
             picture(&bench, &format!("ball.striata --size 200x150 --background none --colors {colors}"));
         assert!(hues(&colored) > plain + 6, "{colors}: {} hues, {plain} of stone", hues(&colored));
@@ -210,6 +210,7 @@ fn wrong_flags_and_files_are_refused() {
         ("shape:torus -o out.png --zoom 0", "--zoom"),
         ("shape:torus -o out.png --pixels 2", "--eye"),
         ("shape:torus -o out.png --eye 0,0,0 --look-at 0,0,0", "--look-at"),
+        ("shape:torus -o out.png --eye 9,0,0 --colors fragments", "uniform levels"),
         ("shape:torus -o out.png --from 0,0,0 --look-at 0,0,0", "--from"),
         ("shape:torus -o out.png --from 1,0,0 --turn 5", "--turn"),
         ("shape:ball -o out.png", "torus"),

@@ -15,4 +15,6 @@ pub enum Coloring {
     Triangles,
     /// One color per group, that is, per material
     Groups,
+    /// One color per fragment: the triangles that one step inserted
+    Fragments,
 }

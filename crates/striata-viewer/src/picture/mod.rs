@@ -45,7 +45,7 @@ pub use frustum::Frustum;
 #[cfg(feature = "gpu")]
 pub use gpu_renderer::GpuRenderer;
 pub use normals::{with_all_normals, with_normals};
-pub use paint::{ColoredTriangles, fan_colors, group_colors, strip_colors, triangle_colors};
+pub use paint::{ColoredTriangles, fan_colors, fragment_colors, group_colors, strip_colors, triangle_colors};
 pub use picture_renderer::PictureRenderer;
 pub use rendered_picture::Drawn;
 pub use scene_look::SceneLook;

@@ -42,11 +42,33 @@ fn by_region(regions: impl Iterator<Item = Vec<[u32; 3]>>) -> ColoredTriangles {
         region_of.resize(triangles.len(), region_count);
         region_count += 1;
     }
-    let palette: Vec<Color> = colorous::TABLEAU10.iter().map(|&color| linear(color)).collect();
-    let numbers = distinct_numbers(&neighbors(&triangles, &region_of, region_count), palette.len());
-    let colors = region_of.iter().map(|&region| palette[numbers[region as usize]]).collect();
+    let colors = region_colors(&triangles, &region_of, region_count);
     (triangles, colors)
 }
+
+/// Returns a color for each triangle: that of its region.
+fn region_colors(triangles: &[[u32; 3]], region_of: &[u32], region_count: u32) -> Vec<Color> {
+    let palette: Vec<Color> = colorous::TABLEAU10.iter().map(|&color| linear(color)).collect();
+    let numbers = distinct_numbers(&neighbors(triangles, region_of, region_count), palette.len());
+    region_of.iter().map(|&region| palette[numbers[region as usize]]).collect()
+}
+
+/// Colors the triangles of a level by the step that inserted each, if any; those of the base mesh, which no step
+/// inserted, are gray.
+pub fn fragment_colors(triangles: &[[u32; 3]], steps: &[Option<u32>]) -> ColoredTriangles {
+    let mut present: Vec<u32> = steps.iter().copied().flatten().collect();
+    present.sort_unstable();
+    present.dedup();
+    let base = present.len() as u32;
+    let region = |step: &Option<u32>| step.map_or(base, |step| present.partition_point(|&s| s < step) as u32);
+    let region_of: Vec<u32> = steps.iter().map(region).collect();
+    let colors = region_colors(triangles, &region_of, base + 1);
+    let of_step = |(color, &region): (Color, &u32)| if region == base { BASE_COLOR } else { color };
+    (triangles.to_vec(), colors.into_iter().zip(&region_of).map(of_step).collect())
+}
+
+/// Color of triangles of the base mesh among fragments, linear light as bytes.
+const BASE_COLOR: Color = [64, 64, 64, 255];
 
 /// Colors the triangles of a mesh by group.
 pub fn group_colors(mesh: &IndexedMesh) -> ColoredTriangles {
@@ -159,6 +181,19 @@ mod tests {
             let used: std::collections::BTreeSet<Color> = colors.into_iter().collect();
             assert_eq!(used.len(), 10, "all colors are seen");
         }
+    }
+
+    #[test]
+    fn fragments_differ_from_their_neighbors_and_from_the_base() {
+        let mesh = shapes::grid(20, 20);
+        let region_of: Vec<u32> = (0..mesh.triangle_count() as u32).map(|t| t / 5).collect();
+        let steps: Vec<Option<u32>> =
+            region_of.iter().map(|r| r.checked_sub(10).map(|step| 7 * step)).collect();
+        let (triangles, colors) = fragment_colors(&mesh.triangles, &steps);
+        assert_eq!(triangles, mesh.triangles);
+        assert!(colors[..50].iter().all(|&color| color == BASE_COLOR));
+        let merged: Vec<u32> = region_of.iter().map(|r| r.saturating_sub(9)).collect();
+        assert_distinct(&triangles, &merged, &colors);
     }
 
     #[test]

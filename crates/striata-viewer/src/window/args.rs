@@ -72,7 +72,7 @@ pub struct FirstArgs {
         long,
         value_name = "NAME",
         default_value = "surface",
-        hide_possible_values = true,
+        value_parser = parse_coloring,
         alias = "colours"
     )]
     pub colors: Coloring,
@@ -143,5 +143,17 @@ fn parse_pixels(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(pixels) if (0.01..=10_000.0).contains(&pixels) => Ok(pixels),
         _ => Err("must be a number of pixels from 0.01 to 10000".to_owned()),
+    }
+}
+
+/// Reads the name of a coloring; fragments are colored in pictures only.
+///
+/// # Errors
+/// If the window does not have the coloring.
+fn parse_coloring(name: &str) -> Result<Coloring, String> {
+    match Coloring::from_str(name, true) {
+        Ok(Coloring::Fragments) => Err("fragments are colored by `striata render` only".to_owned()),
+        Ok(coloring) => Ok(coloring),
+        Err(_) => Err("expected surface, strips, fans, triangles or groups".to_owned()),
     }
 }

@@ -102,7 +102,7 @@ fn initial_state(args: &FirstArgs) -> ViewerState {
     state.colors = match args.colors {
         Coloring::Surface => Colors::Surface,
         Coloring::Strips | Coloring::Fans => Colors::StripsOrFans,
-        Coloring::Triangles => Colors::Triangles,
+        Coloring::Triangles | Coloring::Fragments => Colors::Triangles,
         Coloring::Groups => Colors::Groups,
     };
     (state.wireframe, state.is_flat) = (args.wireframe, args.flat);

@@ -41,9 +41,8 @@ mod varint;
 pub use bits::Bits;
 pub use error::ModelError;
 pub use fans::{
-    AbsentPage, BoundScope, FanDirectory, FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanOptions,
-    FanScene, FanSource, FanTriangles, FanUpdate, Fans, FansLevel, MovingVertex, PageDemand, PagedFans,
-    fan_triangles_into,
+    BoundScope, FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanOptions, FanScene, FanSource,
+    FanTriangles, FanUpdate, Fans, FansLevel, MovingVertex, fan_triangles_into,
 };
 pub use geomorph::{Geomorph, MorphVertex, VertexBlend};
 pub use kind::{ModelKind, UnknownModel};

@@ -43,6 +43,11 @@ struct BudgetedInstance {
 }
 
 impl FilePatterns {
+    /// Wraps patterns that are in memory, with the mesh that they refer to.
+    pub(crate) fn of(patterns: Patterns, mesh: IndexedMesh) -> Self {
+        Self { patterns, mesh, are_stored: true }
+    }
+
     /// Reads the patterns of a file, or builds them from its collapses.
     ///
     /// # Errors

@@ -13,7 +13,8 @@ use striata_command::failure::Failure;
 use striata_command::fan_cover::cover_with_fans;
 use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall};
 use striata_viewer::picture::{
-    Paint, SceneLook, Shot, Style, fan_colors, group_colors, strip_colors, triangle_colors, with_normals,
+    Paint, SceneLook, Shot, Style, fan_colors, fragment_colors, group_colors, strip_colors, triangle_colors,
+    with_normals,
 };
 
 /// A level to draw.
@@ -25,6 +26,8 @@ pub(super) struct Figure {
     pub(super) mesh: IndexedMesh,
     /// Strips of the level, if the model has strips.
     pub(super) strips: Option<StripSet>,
+    /// The step that inserted each triangle, if this is a uniform level; `None` for those of the base mesh.
+    pub(super) steps: Option<Vec<Option<u32>>>,
     /// Name of the model that provided the level.
     pub(super) model: &'static str,
     /// Split count, for levels of a sequence.
@@ -47,6 +50,7 @@ impl Figure {
             vertex_count: mesh.vertex_count(),
             mesh,
             strips: None,
+            steps: None,
             model: "list",
             split_count: None,
             error: 0.0,
@@ -78,7 +82,7 @@ impl Figure {
     /// Colors the level.
     ///
     /// # Errors
-    /// If strips cannot be made, which is an internal error.
+    /// If the steps that inserted the triangles are not known, or strips cannot be made, which is an internal error.
     pub(super) fn painted(&self, coloring: Coloring) -> Result<ColoredLevel, Failure> {
         let (triangles, colors) = match coloring {
             Coloring::Surface => {
@@ -92,9 +96,18 @@ impl Figure {
             Coloring::Fans => fan_colors(&cover_with_fans(&self.mesh)),
             Coloring::Triangles => triangle_colors(&self.mesh.triangles),
             Coloring::Groups => group_colors(&self.mesh),
+            Coloring::Fragments => match &self.steps {
+                Some(steps) => fragment_colors(&self.mesh.triangles, steps),
+                None => return Err(without_steps()),
+            },
         };
         Ok(ColoredLevel { triangles: Some(triangles), paint: Paint::Triangles(colors), strips: None })
     }
+}
+
+fn without_steps() -> Failure {
+    Failure::user("--colors fragments shows uniform levels of one mesh, not views or paged files")
+        .with_hint("use --triangles or --levels, or other --colors")
 }
 
 /// A colored level.

@@ -3,7 +3,7 @@
 use striata::mesh::IndexedMesh;
 use striata::simplify::{StopReason, Target};
 use striata::{LodOptions, ProgressFn};
-use striata_command::args::{Point, find_entry};
+use striata_command::args::{Coloring, Point, find_entry};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{CoarseningLimit, FullMesh, ReachedLevel, shortfall};
@@ -34,7 +34,8 @@ pub(super) struct SceneSource {
 
 impl SceneSource {
     /// Reads the input as a scene; [`None`] if it is a mesh, or has to be drawn as one: a plain mesh in glTF
-    /// without materials, colors and animations, or any scene for a model other than the list.
+    /// without materials, colors and animations, or any scene for a model other than the list, or for
+    /// colors of fragments.
     ///
     /// # Errors
     /// If the input is malformed, or a flag needs a scene or an animation that is not there.
@@ -44,12 +45,18 @@ impl SceneSource {
         output: &Output,
         bar: &mut Bar,
     ) -> Result<Option<Self>, Failure> {
-        let needs_mesh = args.model.is_some_and(|model| model != DrawnModel::List);
+        let reason = match args.model {
+            Some(model) if model != DrawnModel::List => Some("is drawn as one mesh by --model"),
+            _ if args.colors.contains(&Coloring::Fragments) => {
+                Some("is drawn as one mesh by --colors fragments")
+            }
+            _ => None,
+        };
         let Some(kind) = input.scene_kind() else {
             return refuse_scene_flags(args, &input.name, "is one mesh").map(|()| None);
         };
-        if needs_mesh {
-            return refuse_scene_flags(args, &input.name, "is drawn as one mesh by --model").map(|()| None);
+        if let Some(reason) = reason {
+            return refuse_scene_flags(args, &input.name, reason).map(|()| None);
         }
         let in_file = |error: &dyn std::fmt::Display| Failure::user(format!("{}: {error}", input.name));
         let (scene, levels) = if kind == SceneKind::Gltf {

@@ -3,7 +3,7 @@
 
 use striata::file::StriataFile;
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, weld};
-use striata::model::{Fans, LodModel, LodStrips, ModelKind, Mts, StoredModel, StripModel};
+use striata::model::{Fans, LodModel, LodStrips, ModelKind, Mts, Patterns, StoredModel, StripModel};
 use striata::simplify::Target;
 use striata::strip::{StripSet, stripify};
 
@@ -56,6 +56,7 @@ enum Model<'a> {
     LodStrips(LodStrips<'a>),
     Mts(Mts<'a>),
     Fans(Fans),
+    Patterns(Patterns),
     List,
 }
 
@@ -218,8 +219,15 @@ impl<'a> Source<'a> {
             .map_err(|error| Failure::user(error.to_string()).with_hint("change --eye, --look-at or --up"))?;
         let limit =
             args.level.level.triangle_count().map(|count| count.of_triangles(self.full().triangle_count));
-        if let (Some(file), true) = (&levels.file, levels.has_patterns_only()) {
-            let level = FilePatterns::read(file, input)?.level_of_view(&view, camera, limit);
+        let patterns = match (&levels.model, &levels.file) {
+            (Model::Patterns(model), _) => {
+                Some(FilePatterns::of(Patterns::clone(model), levels.steps.mesh().clone()))
+            }
+            (_, Some(file)) if levels.has_patterns_only() => Some(FilePatterns::read(file, input)?),
+            _ => None,
+        };
+        if let Some(patterns) = patterns {
+            let level = patterns.level_of_view(&view, camera, limit);
             return Ok(Figure::of_view(ModelKind::Patterns, level, limit));
         }
         let stored = levels.file.as_ref().and_then(StriataFile::fans).transpose();
@@ -280,6 +288,8 @@ impl<'a> Levels<'a> {
             Model::Mts(model.map_err(damaged)?)
         } else if let Some(model) = is_wanted(ModelKind::Fans).then(|| file.fans()).flatten() {
             Model::Fans(model.map_err(damaged)?)
+        } else if let Some(model) = is_wanted(ModelKind::Patterns).then(|| file.patterns()).flatten() {
+            Model::Patterns(model.map_err(damaged)?)
         } else {
             Model::built(args.model.unwrap_or(default_model(args)), &steps)?
         };
@@ -301,9 +311,12 @@ impl<'a> Levels<'a> {
         let (mesh, strips) = match &self.model {
             Model::LodStrips(model) => (self.steps.level(split_count), Some(strips_at(model, split_count))),
             Model::Mts(model) => (self.steps.level(split_count), Some(strips_at(model, split_count))),
-            Model::Fans(model) => (self.level_of_fans(model, split_count), None),
+            Model::Fans(model) => (self.level_of(model, split_count), None),
+            Model::Patterns(model) => (self.level_of(model, split_count), None),
             Model::List => (self.steps.level(split_count), None),
         };
+        let step_of = |&[a, b, c]: &[u32; 3]| known.step_of(a.max(b).max(c));
+        let steps = self.pages.is_none().then(|| mesh.triangles.iter().map(step_of).collect());
         Ok(Figure {
             title: String::new(),
             shortfall: None,
@@ -315,18 +328,19 @@ impl<'a> Levels<'a> {
             pixels: None,
             mesh,
             strips,
+            steps,
         })
     }
 
-    /// Returns a level with the triangles of the fans.
-    fn level_of_fans(&self, fans: &Fans, split_count: usize) -> IndexedMesh {
-        let mut state = fans.new_state();
-        fans.move_to(&mut state, split_count);
+    /// Returns a level with the triangles of a model without strips.
+    fn level_of<M: StoredModel>(&self, model: &M, split_count: usize) -> IndexedMesh {
+        let mut state = model.new_state();
+        model.move_to(&mut state, split_count);
         let mut level = self.steps.level(split_count);
         level.triangles.clear();
         for group in 0..level.groups.len().max(1) {
             let first = level.triangles.len() as u32;
-            fans.group_triangles_into(&state, group, &mut level.triangles);
+            model.group_triangles_into(&state, group, &mut level.triangles);
             if let Some(group) = level.groups.get_mut(group) {
                 (group.first, group.count) = (first, level.triangles.len() as u32 - first);
             }
@@ -346,13 +360,16 @@ impl Model<'_> {
             (_, DrawnModel::Model(ModelKind::Fans)) => {
                 return Ok(Self::Fans(Fans::build_without_bounds(steps.fan_source())));
             }
+            (steps, DrawnModel::Model(ModelKind::Patterns)) => {
+                return Ok(Self::Patterns(Patterns::build(&steps.fragments())?));
+            }
             (Steps::Collapses(refinable), _) => refinable,
             (Steps::Fragments(_), model) => {
                 return Err(Failure::user(format!(
                     "model {} requires collapses, but this file has none",
                     model.as_str()
                 ))
-                .with_hint("remove --model, or use --model fans or list"));
+                .with_hint("remove --model, or use --model fans, patterns or list"));
             }
         };
         Ok(match model {
@@ -372,6 +389,7 @@ impl Model<'_> {
             Self::LodStrips(_) => DrawnModel::Model(ModelKind::LodStrips),
             Self::Mts(_) => DrawnModel::Model(ModelKind::Mts),
             Self::Fans(_) => DrawnModel::Model(ModelKind::Fans),
+            Self::Patterns(_) => DrawnModel::Model(ModelKind::Patterns),
             Self::List => DrawnModel::List,
         };
         model.as_str()
@@ -403,7 +421,7 @@ fn look_of(args: &RenderArgs, mesh: &IndexedMesh) -> Option<Box<SceneLook>> {
 pub(super) fn needs_levels(args: &RenderArgs) -> bool {
     let has_target = args.level.level.is_given() || args.level.eye.is_some();
     let has_model = args.model.is_some_and(|model| model != DrawnModel::List);
-    has_target || has_model || args.levels.is_some()
+    has_target || has_model || args.levels.is_some() || args.colors.contains(&Coloring::Fragments)
 }
 
 /// Returns the model that is used by default: LodStrips if strips are shown, so that they follow the levels.

@@ -25,9 +25,6 @@
 //! one vertex. Crowns are fans too, so no arc has to be marked as void. A position with several wedges has
 //! an entry for each, but only one bit.
 //!
-//! **Selective loading.** [`PagedFans`] has only some pages of the table in memory, and a view says which others it
-//! needs; see `pages/mod.rs`.
-//!
 //! **From frame to frame.** [`FanFront`] follows a view. It evaluates only those steps whose verdict may have
 //! changed since it was made, which it knows from the motion of the camera; see `front.rs`.
 //!
@@ -47,7 +44,6 @@ mod front;
 mod instance;
 mod level;
 mod morphs;
-mod pages;
 mod quick_table;
 mod scene;
 mod set_operations;
@@ -63,7 +59,6 @@ pub use fan_triangles::FanTriangles;
 pub use front::{FanFront, FanUpdate};
 pub use instance::FanInstance;
 pub use morphs::{FanMorphs, MovingVertex};
-pub use pages::{AbsentPage, FanDirectory, PageDemand, PagedFans};
 pub use scene::FanScene;
 pub(crate) use stored::FansParts;
 pub use table::MAX_ARCS;
