@@ -150,6 +150,13 @@ impl Input {
         }
     }
 
+    /// Returns the text of an OBJ file.
+    pub fn obj_text(&self) -> Option<&str> {
+        self.bytes()
+            .filter(|(format, _)| *format == Format::Obj)
+            .and_then(|(_, bytes)| str::from_utf8(bytes).ok())
+    }
+
     /// Returns the name and the folder of the file, as readers need them.
     pub(crate) fn source(&self) -> Source<'_> {
         let source = Source::new(&self.name);

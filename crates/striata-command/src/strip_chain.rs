@@ -48,6 +48,13 @@ impl fmt::Display for StripChain {
 /// one and a half times the time of the full mesh instead of four times.
 const LEVEL_EFFORT: f64 = 0.2;
 
+/// Share of the moves of a search, and of the time if that is its budget.
+#[derive(Clone, Copy)]
+struct Share {
+    moves: f64,
+    time: f64,
+}
+
 /// A chain of stripifiers with search options.
 #[derive(Clone, Debug)]
 pub struct StripPlan {
@@ -88,7 +95,20 @@ impl StripPlan {
     /// # Errors
     /// If the mesh is inconsistent.
     pub fn run(&self, mesh: &IndexedMesh, show: &mut dyn FnMut(f64)) -> Result<TimedStrips, MeshError> {
-        self.run_share(mesh, 1.0, 1.0, show)
+        self.run_from(mesh, StripSet::new(), show)
+    }
+
+    /// Runs like [`run`](Self::run), but begins with existing strips.
+    ///
+    /// # Errors
+    /// If the mesh is inconsistent.
+    pub fn run_from(
+        &self,
+        mesh: &IndexedMesh,
+        start: StripSet,
+        show: &mut dyn FnMut(f64),
+    ) -> Result<TimedStrips, MeshError> {
+        self.run_share(mesh, start, Share { moves: 1.0, time: 1.0 }, show)
     }
 
     /// Makes the strips of a level of a mesh of `full_count` triangles, with a part of the moves or of the time
@@ -97,20 +117,21 @@ impl StripPlan {
     /// # Errors
     /// If the level is inconsistent.
     pub fn run_for_level(&self, level: &IndexedMesh, full_count: usize) -> Result<StripSet, MeshError> {
-        let share = LEVEL_EFFORT * level.triangle_count() as f64 / full_count.max(1) as f64;
-        Ok(self.run_share(level, LEVEL_EFFORT, share, &mut |_| ())?.strips)
+        let size = level.triangle_count() as f64 / full_count.max(1) as f64;
+        let share = Share { moves: LEVEL_EFFORT, time: LEVEL_EFFORT * size };
+        Ok(self.run_share(level, StripSet::new(), share, &mut |_| ())?.strips)
     }
 
     /// Runs with a share of the moves, or of the time if there is a budget.
     fn run_share(
         &self,
         mesh: &IndexedMesh,
-        move_share: f64,
-        time_share: f64,
+        start: StripSet,
+        share: Share,
         show: &mut dyn FnMut(f64),
     ) -> Result<TimedStrips, MeshError> {
         let started = Instant::now();
-        let mut strips = StripSet::new();
+        let mut strips = start;
         for (i, &stripifier) in self.chain.stripifiers.iter().enumerate() {
             let is_last = i + 1 == self.chain.stripifiers.len();
             let mut options = self.search.options(stripifier);
@@ -118,12 +139,12 @@ impl StripPlan {
                 // The next stripifier would break up strips that are optimized for the cache.
                 options.cache_weight = 0.0;
             }
-            options.effort *= move_share;
+            options.effort *= share.moves;
             let allowed = options.allowed_moves(mesh.triangle_count());
             let searches_since = Instant::now();
             let mut spent = |moves: u64| {
                 let share = match self.search.budget {
-                    Some(secs) => share_of(searches_since.elapsed().as_secs_f64(), secs * time_share),
+                    Some(secs) => share_of(searches_since.elapsed().as_secs_f64(), secs * share.time),
                     None => share_of(moves as f64, allowed),
                 };
                 show((i as f64 + share.min(1.0)) / self.chain.stripifiers.len() as f64);

@@ -10,6 +10,7 @@
 //! * [`strip_count_bound`] proves a lower bound for the number of strips.
 //! * [`LiveStrips`] follow a mesh between its levels of detail and are repaired at each step. A
 //!   [`LiveStripBuffer`] is their index buffer, and says which ranges of it have changed.
+//! * [`strips_in_order`] makes strips of triangles in the order of another stripifier.
 //! * [`stripify_blocks`] makes strips of meshes that do not fit into memory.
 //!
 //! ```
@@ -34,6 +35,7 @@
 //! | `fewest` | moves strip ends until they meet; proves how few strips are possible |
 //! | `cheapest` | simulated annealing of single links, then joins strips whose ends share a vertex |
 //! | `cache` | reorders strips, or grows new ones in rows, for few vertex cache misses |
+//! | `ordered` | [`strips_in_order`] |
 //! | `repair` | [`LiveStrips`] |
 //! | `blocks` | [`stripify_blocks`] |
 //!
@@ -49,6 +51,7 @@ mod cheapest;
 mod entry;
 mod fewest;
 mod options;
+mod ordered;
 mod repair;
 mod stripe;
 mod stripifier;
@@ -62,6 +65,7 @@ pub use blocks::{
 pub use entry::{StripifyError, stripify, stripify_from, stripify_with_progress};
 pub use fewest::strip_count_bound;
 pub use options::StripOptions;
+pub use ordered::strips_in_order;
 pub use repair::{LiveStripBuffer, LiveStrips, LiveStripsError, RepairGoal, RepairOptions, RepairReport};
 pub use stripifier::{DEFAULT_TUNNEL_LENGTH, ParseStripifierError, StripeSwaps, Stripifier};
 pub use task::SpentFn;

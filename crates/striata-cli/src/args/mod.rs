@@ -160,6 +160,10 @@ pub(crate) struct BuildArgs {
         help_heading = STRIPS,
     )]
     pub(crate) strips: Option<StripChain>,
+    /// Strips to begin with, from another stripifier: a text with the vertices of a strip in each line, or a mesh
+    /// with its triangles in the order of strips. Without --strips they stay as they are
+    #[arg(long, value_name = "FILE", help_heading = STRIPS)]
+    pub(crate) strips_from: Option<PathBuf>,
     /// For lodstrips: make new strips for levels that would need more indices per triangle, or `none` to edit
     /// the strips of the full mesh at all levels [default: 1.45]
     #[arg(long, value_name = "INDICES", value_parser = parse_strip_limit, help_heading = STRIPS)]
@@ -441,6 +445,7 @@ impl BuildArgs {
     pub(crate) fn strip_flag(&self) -> Option<&'static str> {
         let flags = [
             ("--strips", self.strips.is_some()),
+            ("--strips-from", self.strips_from.is_some()),
             ("--budget", self.search.budget.is_some()),
             ("--max-strip-indices", self.max_strip_indices.is_some()),
         ];

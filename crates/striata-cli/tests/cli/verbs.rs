@@ -117,6 +117,38 @@ fn lod_strips_have_new_strips_for_coarse_levels() {
 }
 
 #[test]
+fn strips_of_other_tools_are_taken_over() {
+    let bench = Workbench::with_ball();
+    let built =
+        |flags: &str| bench.json(&format!("build sphere.obj -o own.striata --models lodstrips,mts {flags}"));
+    bench.run("strip sphere.obj -o strips.glb --strips stripe").success();
+    let stripe = bench.json("strip sphere.obj --strips stripe");
+    let taken = built("--strips-from strips.glb");
+    assert_eq!(taken["strips"]["algorithm"], "strips.glb");
+    // A strip that ends next to the beginning of the next one goes on there.
+    assert!(taken["strips"]["strip_count"].as_u64() <= stripe["strip_count"].as_u64(), "{taken}");
+    let searched = built("--strips-from strips.glb --strips cheapest");
+    assert!(searched["strips"]["index_count"].as_u64() < taken["strips"]["index_count"].as_u64());
+    // Lists of vertices: the first strip of a band, and the same as STRIPE writes it.
+    bench.write("square.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 2 0\nf 1 2 3\nf 3 2 4\nf 3 4 5\n");
+    for list in ["0 1 2 3 4\n", "# strips\nt 1 2 3\nq 4 5\n", "0 1 2 3\n2,3,4\n"] {
+        bench.write("list.txt", list);
+        let built = bench.json("build square.obj -o square.striata --strips-from list.txt");
+        assert_eq!(built["strips"]["strip_count"], 1, "{list}: {built}");
+    }
+    let refused = |list: &str| {
+        bench.write("list.txt", list);
+        bench.refused("build square.obj -o refused.striata --strips-from list.txt")
+    };
+    assert!(refused("0 1 2\n0 1 5\n").contains("line 2: no vertex 5"));
+    assert!(refused("t 0 1 2\n").contains("vertices are 1 to 5"));
+    assert!(refused("2 1 0\n").contains("none of its triangles"));
+    bench.refused("build square.obj -o refused.striata --strips-from missing.txt");
+    bench.refused("build square.obj -o refused.striata --models fans --strips-from list.txt");
+    assert!(!bench.path("refused.striata").exists());
+}
+
+#[test]
 fn a_view_is_finer_where_the_eye_looks() {
     let bench = Workbench::with_ball();
     let view = |flags: &str| bench.json(&format!("extract ball.striata -o view.glb {flags}"));

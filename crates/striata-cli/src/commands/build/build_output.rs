@@ -1,5 +1,7 @@
 //! Builds everything that a .striata file contains: the steps of a mesh and its models.
 
+use std::time::Instant;
+
 use striata::file::{DecodeError, StriataFile, WriteOptions, to_striata, write_fragments};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
 use striata::model::{LodStrips, ModelKind, StageOptions};
@@ -8,6 +10,7 @@ use striata::strip::StripSet;
 use striata_stream::{EncodedStream, StreamOptions, encode_stream};
 
 use super::models::{Models, StripSource, takes_strips};
+use super::strips_from::StripsFrom;
 use crate::args::BuildArgs;
 use striata_command::args::{OrderArg, SequenceArgs};
 use striata_command::clock::Phases;
@@ -15,7 +18,7 @@ use striata_command::failure::Failure;
 use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall};
 use striata_command::output::Bar;
 use striata_command::sequence::{SequencePlan, SimplifiedSteps, StepKind, Steps};
-use striata_command::strip_chain::StripPlan;
+use striata_command::strip_chain::{StripPlan, TimedStrips};
 use striata_command::strip_report::StripReport;
 
 /// Phases of a build whose times are reported.
@@ -43,6 +46,8 @@ pub(crate) struct BuildPlan {
     pub(crate) sequence: SequencePlan,
     /// How its strips are made.
     pub(crate) strips: StripPlan,
+    /// Strips of the full mesh to begin with.
+    pub(crate) strips_from: Option<StripsFrom>,
     /// When LodStrips begin a stage with new strips.
     pub(crate) stages: StageOptions,
     /// The models to build.
@@ -59,10 +64,31 @@ impl BuildPlan {
         Self {
             sequence: SequencePlan::default(),
             strips: BuildArgs::default_strip_plan(),
+            strips_from: None,
             stages: StageOptions::default(),
             models: vec![ModelKind::LodStrips],
             stream: StreamOptions::default(),
             has_overlap_errors: false,
+        }
+    }
+
+    /// Makes the strips of the full mesh.
+    fn strips_of(&self, full: &IndexedMesh, bar: &mut Bar) -> Result<TimedStrips, Failure> {
+        let started = Instant::now();
+        let start = self.strips_from.as_ref().map(|from| from.strips_of(full)).transpose()?;
+        if self.strips_from.as_ref().is_some_and(|from| from.are_final) {
+            let strips = start.unwrap_or_default();
+            return Ok(TimedStrips { strips, secs: started.elapsed().as_secs_f64() });
+        }
+        Ok(self.strips.run_from(full, start.unwrap_or_default(), &mut |share| bar.share("strip", share))?)
+    }
+
+    /// Returns the name of how the strips are made.
+    fn algorithm(&self) -> String {
+        match &self.strips_from {
+            Some(from) if from.are_final => from.name().to_owned(),
+            Some(from) => format!("{}+{}", from.name(), self.strips.chain),
+            None => self.strips.chain.to_string(),
         }
     }
 
@@ -105,11 +131,9 @@ pub(crate) fn build(
     phases.enter("strip");
     let has_strips = plan.models.iter().any(takes_strips);
     let full = sequenced.steps.mesh();
-    let mut strip = || plan.strips.run(full, &mut |share| bar.share("strip", share));
-    let stripped = if has_strips { Some(strip()?) } else { None };
+    let stripped = if has_strips { Some(plan.strips_of(full, bar)?) } else { None };
     let report = |stripped| -> Result<StripReport, Failure> {
-        let report =
-            StripReport::new(plan.strips.chain.to_string(), full, stripped, plan.strips.cache_size())?;
+        let report = StripReport::new(plan.algorithm(), full, stripped, plan.strips.cache_size())?;
         Ok(report.with_strip_count_bound(&plan.strips.chain, full))
     };
     let strip_report = stripped.as_ref().map(report).transpose()?;

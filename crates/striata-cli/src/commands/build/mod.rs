@@ -4,6 +4,7 @@ mod build_output;
 mod costs;
 mod models;
 mod report;
+mod strips_from;
 
 pub(crate) use self::build_output::{BuildOutput, BuildPlan, PHASES, build, errors_are_guaranteed};
 pub(crate) use self::costs::{ModelCost, model_costs};
@@ -17,6 +18,7 @@ use striata::simplify::Retriangulation;
 
 use self::models::takes_strips;
 use self::report::Report;
+use self::strips_from::StripsFrom;
 use super::{paged, scene};
 use crate::args::BuildArgs;
 use striata_command::clock::Phases;
@@ -81,9 +83,12 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
         sequence.use_batches(args.stream_encoding.batches(&mesh)?)?;
     }
     let stream = args.stream_encoding.options(diagonal);
+    let read_strips = |path: &PathBuf| StripsFrom::read(path, &input, &mesh, args.strips.is_none(), output);
+    let strips_from = args.strips_from.as_ref().map(read_strips).transpose()?;
     let plan = BuildPlan {
         sequence,
         strips: args.strip_plan(),
+        strips_from,
         stages: args.stages(),
         models,
         stream,
