@@ -123,7 +123,8 @@ fn text_of(path: &Path) -> Option<String> {
     let is_number = |word: &str| word.parse::<u32>().is_ok();
     let is_known =
         |word: &str| word.starts_with('#') || ["t", "q", "v", "vn", "vt"].contains(&word) || is_number(word);
-    (words().any(|word| word == "t" || is_number(word)) && words().all(is_known)).then_some(text.clone())
+    let is_list = words().any(|word| word == "t" || is_number(word)) && words().all(is_known);
+    is_list.then_some(text)
 }
 
 /// The vertices of an OBJ text, relative to the origin of a mesh.
