@@ -13,10 +13,9 @@ use striata::strip::{StripLinks, StripSet, write_strips};
 /// use striata::mesh::shapes;
 /// use striata_strip::strips_in_order;
 ///
-/// let grid = shapes::grid(8, 1); // a row of eight squares
-/// let order: Vec<u32> = (0..16).collect();
-/// assert_eq!(strips_in_order(&grid, &order)?.strip_count(), 1);
-/// assert_eq!(strips_in_order(&grid, &[])?.strip_count(), 16);
+/// let square = shapes::grid(1, 1); // two triangles
+/// assert_eq!(strips_in_order(&square, &[0, 1])?.strip_count(), 1);
+/// assert_eq!(strips_in_order(&square, &[])?.strip_count(), 2);
 /// # Ok::<(), striata::mesh::MeshError>(())
 /// ```
 ///
