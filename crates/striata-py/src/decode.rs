@@ -84,7 +84,7 @@ pub(crate) fn decoded(
         Some(stream) if file.is_stream_only() => {
             Ok(Content::Lod(mesh_stream(stream.map_err(bad_bytes)?, false, progress)?))
         }
-        _ => Ok(Content::Lod(LodData::from(Lod::from_file(&file).map_err(bad_bytes)?))),
+        _ => Ok(Content::Lod(LodData::of_file(&file, bytes).map_err(bad_bytes)?)),
     }
 }
 

@@ -51,6 +51,8 @@ mod simplify;
 #[cfg(feature = "python")]
 mod stream;
 #[cfg(feature = "python")]
+mod strip_level;
+#[cfg(feature = "python")]
 mod strips;
 #[cfg(feature = "python")]
 mod view;

@@ -5,19 +5,20 @@ use std::sync::Arc;
 use numpy::{IntoPyArray as _, PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use striata::file::WriteOptions;
+use striata::file::{DecodeError, StriataFile, WriteOptions};
 use striata::mesh::{RefinableMesh, weld};
 use striata::simplify::{build_welded_sequence_with_progress, certify_collapses_in_any_state_with_progress};
-use striata::{Cancelled, Lod, ProgressFn};
+use striata::{Cancelled, Lod, ProgressFn, Target};
 
 use crate::arrays::{signed, signed_rows};
-use crate::errors::{Outcome, cancelled, simplify_error, value_error};
+use crate::errors::{Outcome, cancelled, decode_error, simplify_error, value_error};
 use crate::job;
 use crate::levels::Levels;
 use crate::mesh::{MeshData, file_points, is_internal, move_origin, without_internal_layers};
 use crate::one_level::check_locked;
 use crate::options::{SimplifyArguments, reason, target};
 use crate::sources::{Sources, level_triangles};
+use crate::strip_level::StripLevelData;
 use crate::view::ViewData;
 
 /// Every level of a mesh, and where its vertices come from.
@@ -27,17 +28,19 @@ pub(crate) struct LodData {
     levels: Levels,
     /// `None` if the levels were read from a file.
     sources: Option<Arc<Sources>>,
+    /// The file with the strips of the levels, which are read when they are needed.
+    file_with_strips: Option<Arc<[u8]>>,
 }
 
 impl From<Lod> for LodData {
     fn from(lod: Lod) -> Self {
-        Self { levels: lod.into(), sources: None }
+        Self { levels: lod.into(), sources: None, file_with_strips: None }
     }
 }
 
 impl From<RefinableMesh> for LodData {
     fn from(refinable: RefinableMesh) -> Self {
-        Self { levels: Levels::new(refinable, false), sources: None }
+        Self { levels: Levels::new(refinable, false), sources: None, file_with_strips: None }
     }
 }
 
@@ -65,7 +68,8 @@ pub(crate) fn build(
         } else {
             built.refinable
         };
-        Ok(LodData { levels: Levels::new(refinable, guaranteed), sources: Some(Arc::new(sources)) })
+        let (levels, sources) = (Levels::new(refinable, guaranteed), Some(Arc::new(sources)));
+        Ok(LodData { levels, sources, file_with_strips: None })
     })
 }
 
@@ -181,6 +185,21 @@ impl LodData {
         })
     }
 
+    fn strip_level(&self, py: Python<'_>) -> Outcome<StripLevelData> {
+        let data = self.clone();
+        job::run(py, self.size(), None, move |progress| {
+            let lod = data.levels.lod(progress).map_err(cancelled)?;
+            if let Some(bytes) = &data.file_with_strips {
+                let file = striata_stream::open(bytes).map_err(decode_error)?;
+                if let Some(strips) = file.lod_strips() {
+                    let strips = strips.map_err(decode_error)?.into_owned();
+                    lod.clone().with_strips(strips).map_err(decode_error)?;
+                }
+            }
+            Ok(lod.strip_level(Target::Detail(1.0)).into())
+        })
+    }
+
     /// Bytes of a `.striata` file, with all points moved by an offset.
     fn to_striata<'py>(&self, py: Python<'py>, offset: [f64; 3]) -> Outcome<Bound<'py, PyBytes>> {
         let levels = self.levels.clone();
@@ -203,6 +222,16 @@ type CollapseArrays<'py> = (
 );
 
 impl LodData {
+    /// Levels of a file, whose strips are read when they are needed.
+    ///
+    /// # Errors
+    /// [`DecodeError`] if the file is damaged.
+    pub(crate) fn of_file(file: &StriataFile<'_>, bytes: &[u8]) -> Result<Self, DecodeError> {
+        let lod = Lod::from_file(file)?;
+        let file_with_strips = file.has_lod_strips().then(|| bytes.into());
+        Ok(Self { file_with_strips, ..Self::from(lod) })
+    }
+
     /// Number of triangles of the full mesh.
     fn size(&self) -> usize {
         self.levels.mesh().triangle_count()

@@ -9,6 +9,7 @@ use crate::paged::PagedLodData;
 use crate::plan::PlanData;
 use crate::scene::{LodSceneData, SceneData};
 use crate::stream::DecoderData;
+use crate::strip_level::StripLevelData;
 use crate::view::ViewData;
 use crate::{decode, distance, files, lod, simplify, stream, strips};
 
@@ -20,6 +21,7 @@ fn _striata(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<MeshData>()?;
     module.add_class::<LodData>()?;
     module.add_class::<ViewData>()?;
+    module.add_class::<StripLevelData>()?;
     module.add_class::<SceneData>()?;
     module.add_class::<LodSceneData>()?;
     module.add_class::<DecoderData>()?;

@@ -93,6 +93,45 @@ def test_views_refine_what_is_near(lod):
             view.update(**arguments)
 
 
+def strip_triangles(indices):
+    found = []
+    for strip in np.split(indices, np.flatnonzero(indices == -1)):
+        strip = strip[strip >= 0]
+        for i, (a, b, c) in enumerate(zip(strip, strip[1:], strip[2:], strict=False)):
+            if a != b != c != a:
+                found.append((a, b, c) if i % 2 == 0 else (b, a, c))
+    return found
+
+
+def same_triangles(a, b):
+    rotated = [[min(np.roll(t, k).tolist() for k in range(3)) for t in triangles] for triangles in (a, b)]
+    return sorted(rotated[0]) == sorted(rotated[1])
+
+
+def test_strips_follow_levels(lod, tmp_path):
+    strips = lod.strip_level()
+    assert strips.level.triangle_count == lod.face_count and "strip" in repr(strips)
+    uploaded = strips.indices.copy()
+    strips.take_changed_ranges()
+    for triangles in (400, 100, 250, 30):
+        level = lod.level(triangles=triangles)
+        strips.move_to(level)
+        for first, end in strips.take_changed_ranges():
+            uploaded[first:end] = strips.indices[first:end]
+        assert np.array_equal(uploaded, strips.indices)
+        shown = [t for first, end in strips.groups for t in strip_triangles(uploaded[first:end])]
+        assert same_triangles(shown, level.faces)
+        assert strips.index_count < 3 * level.triangle_count and 0 < strips.strip_count < level.triangle_count
+    assert lod.strip_level(lod.level(triangles=30)).strip_count == strips.strip_count
+    striata.save(tmp_path / "a.striata", lod)
+    opened = striata.open(tmp_path / "a.striata")
+    again = opened.strip_level(opened.level(triangles=100))
+    strips.move_to(lod.level(triangles=100))
+    assert np.array_equal(again.indices[slice(*again.groups[0])], strips.indices[slice(*strips.groups[0])])
+    with pytest.raises(ValueError, match="another Lod"):
+        strips.move_to(opened.level(triangles=100))
+
+
 def test_views_work_far_from_the_origin(terrain):
     offset = np.array([5e6, 4e5, 0])
     far = striata.build(terrain[0].astype(np.float64) + offset, terrain[1]).view()

@@ -13,6 +13,8 @@ pub(crate) struct Place {
     sphere: Sphere,
     /// Largest factor by which errors grow, or a little more.
     scale: f64,
+    /// Factor by which errors count more.
+    importance: f64,
 }
 
 impl Place {
@@ -32,13 +34,18 @@ impl Place {
     pub(crate) fn new(matrix: &DMat4, scale: f64, sphere: &Sphere) -> Self {
         let center = matrix.transform_point3(sphere.center.map(f64::from).into());
         let radius = (f64::from(sphere.radius) * scale) as f32;
-        Self { sphere: Sphere { center: center.as_vec3().into(), radius }, scale }
+        Self { sphere: Sphere { center: center.as_vec3().into(), radius }, scale, importance: 1.0 }
+    }
+
+    /// Sets how much errors count.
+    pub(crate) fn with_importance(self, importance: f64) -> Self {
+        Self { importance, ..self }
     }
 
     fn allows(&self, length: f32, error: &ScreenError) -> bool {
         // With cone -1, the part may face any direction.
         let cone = NormalCone { axis: [0.0; 3], cos: -1.0 };
-        let length = (f64::from(length) * self.scale) as f32;
+        let length = (f64::from(length) * self.scale * self.importance) as f32;
         error.weigh(&Part { sphere: self.sphere, cone, error: length }).weight <= 1.0
     }
 }

@@ -44,8 +44,11 @@ fn sample(base: u32, steps: &[Step], last_wedges: bool, weight: MeshWeight) -> S
 fn samples() -> impl Strategy<Value = Vec<Option<Sample>>> {
     let steps = prop::collection::vec((0u32..4, 0u8..3), 0..40);
     // Powers of two keep products and quotients exact.
-    let weight = (-3i32..4, 1usize..4)
-        .prop_map(|(power, instance_count)| MeshWeight { scale: 2f64.powi(power), instance_count });
+    let weight = (-3i32..4, 1usize..4).prop_map(|(power, instance_count)| MeshWeight {
+        scale: 2f64.powi(power),
+        instance_count,
+        ..Default::default()
+    });
     let one = (1u32..5, steps, any::<bool>(), weight);
     let one = one.prop_map(|(base, steps, wedges, weight)| sample(base, &steps, wedges, weight));
     prop::collection::vec(prop::option::weighted(0.9, one), 0..8)
@@ -161,7 +164,7 @@ proptest! {
 
 #[test]
 fn targets_out_of_range_are_reported() {
-    let weight = MeshWeight { scale: 2.0, instance_count: 3 };
+    let weight = MeshWeight { scale: 2.0, instance_count: 3, ..Default::default() };
     let levels = merged(&[None, Some(sample(2, &[(2, 1), (2, 1)], false, weight))]);
     let reason = |target| levels.resolve(target).stop_reason;
     assert_eq!(reason(Target::Triangles(19)), StopReason::FullMesh);
@@ -188,7 +191,8 @@ fn counts_that_rise_while_a_mesh_gets_coarser_are_searched_exactly() {
 #[test]
 fn long_orders_are_found_block_by_block() {
     let steps: Vec<Step> = (0..3000).map(|step| (step % 3, (step % 2) as u8)).collect();
-    let of_scale = |scale| Some(sample(4, &steps, false, MeshWeight { scale, instance_count: 2 }));
+    let of_scale =
+        |scale| Some(sample(4, &steps, false, MeshWeight { scale, instance_count: 2, ..Default::default() }));
     let samples = vec![of_scale(1.0), of_scale(0.25), None, of_scale(8.0)];
     let (levels, oracle) = (merged(&samples), Oracle::new(&samples));
     for limit in (0..oracle.0[0].1).step_by(97) {

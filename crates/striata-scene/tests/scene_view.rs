@@ -2,8 +2,11 @@
 
 use striata::Target;
 use striata::view::{Camera, ScreenError};
-use striata::{LodOptions, mesh::Bounds};
-use striata_io::{Source, read_scene_bytes};
+use striata::{
+    LodOptions,
+    mesh::{Bounds, shapes},
+};
+use striata_io::{Scene, SceneParts, Source, read_scene_bytes};
 use striata_scene::drawn::DrawnInstance;
 use striata_scene::{LodScene, Poser, SceneView};
 use striata_testing::scenes;
@@ -156,4 +159,55 @@ fn detail_follows_instances_that_move() {
     }
     view.update(&error, &drawn);
     assert!(view.triangle_count() > 0, "broken places show some level");
+}
+
+/// Two equal spheres side by side, of which the second has an importance.
+fn two_spheres(importance: f64) -> LodScene {
+    let node = |x: f64, mesh: usize| serde_json::json!({ "mesh": mesh, "translation": [x, 0, 0] });
+    let mut second = node(2.0, 1);
+    second["extras"] = serde_json::json!({ "importance": importance });
+    let mesh = serde_json::json!({ "primitives": [{ "attributes": { "POSITION": null } }] });
+    let parts = SceneParts {
+        document: serde_json::json!({
+            "scene": 0, "scenes": [{ "nodes": [0, 1] }], "nodes": [node(-2.0, 0), second], "meshes": [mesh, mesh],
+        }),
+        buffer: Vec::new(),
+        images: Vec::new(),
+        meshes: vec![Some(shapes::icosphere(4, 1.0)); 2],
+    };
+    LodScene::build(&Scene::from_parts(parts).unwrap(), &LodOptions::default()).unwrap()
+}
+
+#[test]
+fn important_objects_get_more_triangles() {
+    let counts = |lods: &LodScene| {
+        let level = lods.level(Target::Triangles(lods.triangle_count() / 10));
+        let scene = lods.level_scene(&level);
+        [0, 1].map(|mesh| scene.meshes()[mesh].as_ref().unwrap().triangle_count())
+    };
+    let [first, second] = counts(&two_spheres(1.0));
+    assert_eq!(first, second);
+    let important = two_spheres(4.0);
+    let [first, second] = counts(&important);
+    assert!(second > 2 * first, "{first} and {second} triangles");
+    assert!(first + second <= important.triangle_count() / 10);
+    // An error is not exceeded anywhere, whatever the importance.
+    let largest = important.level(Target::Triangles(500)).error;
+    let by_error =
+        [1.0, 4.0].map(|importance| two_spheres(importance).level(Target::Error(largest)).split_counts);
+    assert_eq!(by_error[0], by_error[1]);
+
+    let (mut view, drawn) = (important.view(), rest(&important));
+    let error = error(&important, 1.0, 1.0);
+    let mut shown = |importance: f64| {
+        view.set_importance(1, importance);
+        view.update(&error, &drawn);
+        [0, 1].map(|instance| view.shown(instance).unwrap().indices.len() / 3)
+    };
+    let ([near, important_near], [_, equal], [_, negligible]) = (shown(4.0), shown(1.0), shown(0.25));
+    assert!(important_near > 2 * near && important_near > 2 * equal && equal > 2 * negligible);
+    assert_eq!(shown(f64::NAN), shown(-1.0), "what is no importance changes nothing");
+    let scene = important.view_scene(&error);
+    let of_scene = [0, 1].map(|mesh| scene.meshes()[mesh].as_ref().unwrap().triangle_count());
+    assert_eq!(of_scene, [near, important_near]);
 }

@@ -73,7 +73,7 @@ pub mod simplify;
 pub mod strip;
 pub mod view;
 
-pub use lod::{Level, Lod, LodOptions, View};
+pub use lod::{Level, Lod, LodOptions, StripLevel, View};
 pub use progress::{Cancelled, Progress, ProgressFn, ignore_progress};
 pub use simplify::Target;
 

@@ -24,6 +24,7 @@ from ._simplified import Simplified
 from ._simplify import simplify
 from ._stream import StreamDecoder, decode, encode
 from ._striata import DecodeError, __version__
+from ._strip_level import StripLevel
 from ._strips import RESTART, Strips, strip
 from ._view import View
 from ._viewer import page, view
@@ -51,6 +52,7 @@ __all__ = [
     "Simplified",
     "Simulation",
     "StreamDecoder",
+    "StripLevel",
     "Strips",
     "View",
     "__version__",

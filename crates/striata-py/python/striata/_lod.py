@@ -18,6 +18,7 @@ from ._kinds import AnyMesh
 from ._level import Level
 from ._mesh import Mesh
 from ._sequence import Sequence
+from ._strip_level import StripLevel
 from ._targets import Target, Targets, level_within
 from ._view import View
 from ._write import write_lod
@@ -203,6 +204,13 @@ class Lod(Generic[AnyMesh]):
     def view(self) -> View:
         """Return an instance that follows a camera."""
         return View(self)
+
+    def strip_level(self, level: Level[Any] | None = None) -> StripLevel:
+        """Return triangle strips that follow a level, first the full mesh or the level that is given.
+
+        The strips are those of the file, if the levels were opened from one that has them.
+        """
+        return StripLevel(self, self.level(detail=1.0) if level is None else level)
 
     def mesh(self) -> Mesh:
         """Return the full mesh, with its points in refinement order."""

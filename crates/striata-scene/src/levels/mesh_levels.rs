@@ -69,7 +69,8 @@ pub(super) fn first_meshes(meshes: &[Option<MeshLevels>]) -> Vec<usize> {
         let Some(mesh) = mesh else { return index };
         let errors = mesh.levels.errors();
         let sum: u64 = errors.iter().fold(0, |sum: u64, x| sum.rotate_left(5) ^ u64::from(x.to_bits()));
-        let key = (errors.len(), sum, mesh.weight.scale.to_bits(), mesh.weight.instance_count == 0);
+        let MeshWeight { scale, instance_count, importance } = mesh.weight;
+        let key = (errors.len(), sum, scale.to_bits(), importance.to_bits(), instance_count == 0);
         let first = *first_of.entry(key).or_insert(index);
         let is_same = |other: &MeshLevels| other.levels == mesh.levels;
         if meshes[first].as_ref().is_some_and(is_same) { first } else { index }

@@ -24,6 +24,8 @@ use striata::{Lod, Target};
 use mesh_levels::{Counts, MeshLevels, first_meshes, merged_order};
 pub use weight::MeshWeight;
 
+use crate::importance::usable;
+
 /// Fewest steps of a block; a block has at least as many steps as there are meshes, so that the states at
 /// the starts of blocks need no more memory than the steps.
 const MIN_BLOCK_STEPS: usize = 1024;
@@ -70,8 +72,8 @@ struct Block {
 impl SceneLevels {
     /// Merges the levels of all meshes by their errors; [`None`] for entries without triangles.
     ///
-    /// Weights that are missing at the end of the list are [`MeshWeight::default`]. A scale that is not a
-    /// positive number counts as 1.
+    /// Weights that are missing at the end of the list are [`MeshWeight::default`]. A scale or importance that is
+    /// not a positive number counts as 1.
     pub fn new(meshes: &[Option<&Levels>], weights: &[MeshWeight]) -> Self {
         Self::merged(meshes, weights, |_, _| Vec::new())
     }
@@ -103,7 +105,8 @@ impl SceneLevels {
         let weight_of = |mesh: usize| {
             let weight = weights.get(mesh).copied().unwrap_or_default();
             let is_scale = weight.scale > 0.0 && weight.scale.is_finite();
-            MeshWeight { scale: if is_scale { weight.scale } else { 1.0 }, ..weight }
+            let importance = usable(weight.importance);
+            MeshWeight { scale: if is_scale { weight.scale } else { 1.0 }, importance, ..weight }
         };
         let with_weight =
             |(mesh, levels): (usize, &Levels)| MeshLevels { levels: levels.clone(), weight: weight_of(mesh) };
@@ -120,7 +123,10 @@ impl SceneLevels {
         let order = merged_order(&meshes, |mesh, number, split_count| {
             let prices = &prices[first_of[number]];
             let step = mesh.levels.step_count() - 1 - split_count;
-            prices.get(step).copied().unwrap_or_else(|| mesh.error_at(split_count))
+            let importance = mesh.weight.importance;
+            // Prices are squares of errors.
+            let price = prices.get(step).map(|price| price * importance * importance);
+            price.unwrap_or_else(|| mesh.error_at(split_count) * importance)
         });
         drop(prices);
         let mut levels = Self {

@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 use striata_io::{Scene, SceneParts};
 
 use crate::document::{entries, index};
+use crate::importance::{Importance, usable};
 
 /// How much the errors and triangles of a mesh count in a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,11 +14,14 @@ pub struct MeshWeight {
     /// Number of times that its triangles are counted; 0 if nothing shows the mesh, whose errors then do not
     /// count either.
     pub instance_count: usize,
+    /// How much its errors count when triangles are shared out among the meshes; 1 for as much as those of others.
+    /// Errors that are reported, and levels by error, do not depend on it.
+    pub importance: f64,
 }
 
 impl Default for MeshWeight {
     fn default() -> Self {
-        Self { scale: 1.0, instance_count: 1 }
+        Self { scale: 1.0, instance_count: 1, importance: 1.0 }
     }
 }
 
@@ -28,12 +32,17 @@ impl MeshWeight {
     /// no number; if nothing at all is shown, every mesh counts once. The scale is the largest one at rest and
     /// in all animations of the node and its ancestors, since an object that appears by growing needs the level of
     /// its full size. The scale of a mesh all of whose instances are flattened to a point is 1.
+    ///
+    /// The importance is the largest among its instances: the products of the number `importance` in the `extras` of
+    /// the mesh, the node and its ancestors.
     pub fn of_scene(scene: &Scene) -> Vec<Self> {
-        let mut weights = vec![Self { scale: 0.0, instance_count: 0 }; scene.meshes().len()];
+        let mut weights = vec![Self { scale: 0.0, instance_count: 0, importance: 0.0 }; scene.meshes().len()];
+        let importance = Importance::of_scene(scene);
         let largest = at_largest_scales(scene);
         for instance in largest.as_ref().unwrap_or(scene).instances() {
             let weight = &mut weights[instance.mesh];
             weight.instance_count += 1;
+            weight.importance = weight.importance.max(importance.of_instance(instance));
             if instance.scale.is_finite() {
                 weight.scale = weight.scale.max(instance.scale);
             }
@@ -46,6 +55,7 @@ impl MeshWeight {
             if weight.scale == 0.0 {
                 weight.scale = 1.0;
             }
+            weight.importance = usable(weight.importance);
         }
         weights
     }

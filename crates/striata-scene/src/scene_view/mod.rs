@@ -16,6 +16,7 @@ use striata::view::{ScreenError, Sphere};
 use striata::{Level, Lod, Target, View};
 
 use crate::drawn::DrawnInstance;
+use crate::importance::{Importance, usable};
 use crate::place::{self, Place, sphere_around};
 use crate::{LodScene, SceneLevel};
 
@@ -50,6 +51,8 @@ struct UniformMesh {
 struct InstanceView {
     mesh: usize,
     is_hidden: bool,
+    /// Factor by which its errors count more.
+    importance: f64,
     /// Whether it may have a view of its own.
     may_refine: bool,
     /// Whether it shows its own view rather than the level of the mesh.
@@ -82,7 +85,7 @@ impl LodScene {
 impl SceneView {
     fn new(lods: LodScene) -> Self {
         let meshes = lods.lods().iter().map(|lod| Some(UniformMesh::new(lod.as_ref()?))).collect();
-        let mut free = MAX_VIEWS;
+        let (mut free, importance) = (MAX_VIEWS, Importance::of_scene(lods.scene()));
         let instances = lods.scene().instances().iter().map(|instance| {
             let is_rigid = instance.skin.is_none();
             let may_refine = is_rigid && free > 0;
@@ -90,6 +93,7 @@ impl SceneView {
             InstanceView {
                 mesh: instance.mesh,
                 is_hidden: false,
+                importance: importance.of_instance(instance),
                 may_refine,
                 is_refined: false,
                 view: None,
@@ -108,6 +112,16 @@ impl SceneView {
     pub fn set_hidden(&mut self, instance: usize, is_hidden: bool) {
         if let Some(instance) = self.instances.get_mut(instance) {
             instance.is_hidden = is_hidden;
+        }
+    }
+
+    /// Sets how much the errors of an instance count: 2 allows it half of the pixels that others may err by. At first
+    /// it is the number `importance` in the `extras` of its mesh, times those of its node and all ancestors; 1 without
+    /// any. Instances that do not exist, and values that are not positive numbers, are ignored.
+    pub fn set_importance(&mut self, instance: usize, importance: f64) {
+        if let Some(instance) = self.instances.get_mut(instance).filter(|_| usable(importance) == importance)
+        {
+            instance.importance = importance;
         }
     }
 
@@ -147,7 +161,11 @@ impl SceneView {
             instance.is_refined = inside.is_some();
             match inside {
                 Some(inside) => instance.refine(lod, inside),
-                None => places[instance.mesh].extend(Place::of(drawn, &mesh.sphere)),
+                None => {
+                    let of_instance = Place::of(drawn, &mesh.sphere).into_iter();
+                    let important = of_instance.map(|place| place.with_importance(instance.importance));
+                    places[instance.mesh].extend(important);
+                }
             }
         }
         let lods = self.lods.lods();
@@ -204,7 +222,7 @@ impl UniformMesh {
 impl InstanceView {
     fn refine(&mut self, lod: &Lod, error: ScreenError) {
         let view = self.view.get_or_insert_with(|| Box::new(lod.view()));
-        let update = view.update_by(error);
+        let update = view.update_by(error.relaxed((1.0 / self.importance) as f32));
         if update.split_count + update.collapse_count > 0 {
             self.revision += 1;
         }

@@ -335,10 +335,15 @@ impl<'a> StriataFile<'a> {
         Ok(strips)
     }
 
+    /// Whether the file has a LodStrips model.
+    pub fn has_lod_strips(&self) -> bool {
+        self.has(SectionKind::RECORDS)
+    }
+
     /// The LodStrips model, if the file has one; borrowed from the file and validated once, so that no move
     /// can fail.
     pub fn lod_strips(&self) -> Option<Result<LodStrips<'a>, DecodeError>> {
-        self.has(SectionKind::RECORDS).then(|| self.read_lod_strips())
+        self.has_lod_strips().then(|| self.read_lod_strips())
     }
 
     fn read_lod_strips(&self) -> Result<LodStrips<'a>, DecodeError> {

@@ -85,8 +85,7 @@ impl Level {
     /// another.
     ///
     /// The fast stripifier builds them from scratch on every call. Cost: linear in the number of triangles
-    /// of the level. To keep strips from level to level, use [`LodStrips`](crate::model::LodStrips) or
-    /// [`Mts`](crate::model::Mts).
+    /// of the level. To keep strips from level to level, use [`Lod::strip_level`](super::Lod::strip_level).
     pub fn strips(&self) -> StripIndices {
         let level = replay(self.tables.refinable(), self.split_count);
         stripify(&level).expect("a level of a mesh that was checked").to_restart_indices()

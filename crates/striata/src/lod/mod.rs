@@ -28,11 +28,13 @@
 
 mod level;
 mod options;
+mod strip_level;
 mod tables;
 mod view;
 
 pub use level::Level;
 pub use options::LodOptions;
+pub use strip_level::StripLevel;
 pub use view::View;
 
 use std::sync::Arc;
@@ -40,6 +42,7 @@ use std::sync::Arc;
 use self::tables::Tables;
 use crate::file::{DecodeError, StriataFile};
 use crate::mesh::{CollapseSequence, IndexedMesh, RefinableMesh, replay};
+use crate::model::{Fans, LodStrips, ModelError, Mts, Patterns};
 use crate::simplify::{
     SimplifyError, Target, build_sequence_with_progress, certify_collapses_in_any_state_with_progress,
 };
@@ -48,8 +51,9 @@ use crate::{Cancelled, ProgressFn, ignore_progress};
 /// Every level of detail of one mesh: the vertices in refinement order, the collapse sequence, and the
 /// tables that turn any level or view into triangles.
 ///
-/// A `Lod` is immutable, and its clones share their data. The fans are built for the first level or view;
-/// [`level_mesh`](Self::level_mesh) does without them. Memory: the mesh plus about 40 bytes per vertex.
+/// A `Lod` is immutable, and its clones share their data. A model is built when it is used for the first time: the fans
+/// for the first level or view, the strips for the first [`strip_level`](Self::strip_level);
+/// [`level_mesh`](Self::level_mesh) does without any. Memory: the mesh plus about 40 bytes per vertex.
 #[derive(Clone, Debug)]
 pub struct Lod {
     tables: Arc<Tables>,
@@ -137,7 +141,18 @@ impl Lod {
         Ok(Self { tables: Arc::new(Tables::from_file(file)?) })
     }
 
-    /// Encodes the mesh, the sequence and the fans as a `.striata` file, which [`StriataFile::parse`] reads.
+    /// Takes over LodStrips from a file or another stripifier, instead of those that [`strips`](Self::strips) would
+    /// build; without effect if that has been called before.
+    ///
+    /// # Errors
+    /// [`ModelError`] if they do not belong to this mesh.
+    pub fn with_strips(self, strips: LodStrips<'static>) -> Result<Self, ModelError> {
+        self.tables.set_strips(strips)?;
+        Ok(self)
+    }
+
+    /// Encodes the mesh, the sequence, the fans and the models that were used as a `.striata` file, which
+    /// [`StriataFile::parse`] reads.
     ///
     /// # Errors
     /// [`EncodeError`](crate::file::EncodeError) if a part is too large for the format.
@@ -182,6 +197,37 @@ impl Lod {
         let mut level = Level::empty(Arc::clone(&self.tables));
         level.move_to(target);
         level
+    }
+
+    /// Returns an instance of triangle strips at the most detailed level that does not exceed the target; it moves to
+    /// other levels by editing its strips.
+    pub fn strip_level(&self, target: Target) -> StripLevel {
+        let mut level = StripLevel::full(Arc::clone(&self.tables));
+        level.move_to(target);
+        level
+    }
+
+    /// Strips that are good strips at every level \[RCRG06\]: at most about 1.45 indices for each triangle, down to very
+    /// coarse levels.
+    ///
+    /// Built by the fast stripifier on first use, unless [`with_strips`](Self::with_strips) took over others.
+    pub fn strips(&self) -> &LodStrips<'static> {
+        self.tables.strips()
+    }
+
+    /// Multiresolution triangle strips \[BRR02\], built on first use.
+    pub fn mts(&self) -> &Mts<'static> {
+        self.tables.mts()
+    }
+
+    /// Progressive fans \[Cor01\], on which levels and views are built; built on first use unless read from a file.
+    pub fn fans(&self) -> &Fans {
+        self.tables.fans()
+    }
+
+    /// Patterns of the collapses \[KG98\], with bounds for views; built on first use.
+    pub fn patterns(&self) -> &Patterns {
+        self.tables.patterns()
     }
 
     /// Copies the level that [`level`](Self::level) selects into a separate mesh for export, with only the vertices that

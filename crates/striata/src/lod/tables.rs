@@ -3,26 +3,37 @@
 use std::sync::OnceLock;
 
 use crate::file::{DecodeError, EncodeError, FileModel, StriataFile, WriteOptions, to_striata};
-use crate::mesh::RefinableMesh;
-use crate::model::{FanOptions, FanScene, Fans};
+use crate::mesh::{FragmentedMesh, RefinableMesh};
+use crate::model::{FanOptions, FanScene, Fans, LodStrips, ModelError, Mts, Patterns, StageOptions};
+use crate::strip::{StripSet, stripify};
 use crate::view::Sphere;
 use crate::{Cancelled, ProgressFn};
 
 /// Metadata key and value by which a file records that its errors are guaranteed bounds.
 const GUARANTEED_ERRORS: (&str, &str) = ("errors", "guaranteed");
 
-/// The mesh in refinement order, and its fans once they are needed.
+/// The mesh in refinement order, and each model once it is needed.
 #[derive(Debug)]
 pub(super) struct Tables {
     refinable: RefinableMesh,
     /// With the bounding sphere of all positions.
     fans: OnceLock<(Fans, Sphere)>,
+    strips: OnceLock<LodStrips<'static>>,
+    mts: OnceLock<Mts<'static>>,
+    patterns: OnceLock<Patterns>,
     has_guaranteed_errors: bool,
 }
 
 impl Tables {
     pub(super) fn new(refinable: RefinableMesh, has_guaranteed_errors: bool) -> Self {
-        Self { refinable, fans: OnceLock::new(), has_guaranteed_errors }
+        Self {
+            refinable,
+            fans: OnceLock::new(),
+            strips: OnceLock::new(),
+            mts: OnceLock::new(),
+            patterns: OnceLock::new(),
+            has_guaranteed_errors,
+        }
     }
 
     pub(super) fn new_with_progress(
@@ -62,7 +73,12 @@ impl Tables {
             let value = if self.has_guaranteed_errors { value } else { "estimated" };
             options = options.with_metadata(key, value);
         }
-        to_striata(&self.refinable, &[FileModel::Fans(self.fans())], &options)
+        let models: Vec<FileModel<'_>> = (self.strips.get().map(FileModel::LodStrips).into_iter())
+            .chain(self.mts.get().map(FileModel::Mts))
+            .chain([FileModel::Fans(self.fans())])
+            .chain(self.patterns.get().map(FileModel::Patterns))
+            .collect();
+        to_striata(&self.refinable, &models, &options)
     }
 
     pub(super) fn refinable(&self) -> &RefinableMesh {
@@ -75,6 +91,42 @@ impl Tables {
 
     pub(super) fn fans(&self) -> &Fans {
         &self.fans_and_sphere().0
+    }
+
+    /// LodStrips, which get new strips where a level would need too many indices.
+    pub(super) fn strips(&self) -> &LodStrips<'static> {
+        let of_level =
+            |level: &_| Ok::<_, ModelError>(stripify(level).expect("a level of a mesh that was checked"));
+        let build = || {
+            LodStrips::build_staged(&self.refinable, &self.full_strips(), &StageOptions::default(), of_level)
+        };
+        self.strips.get_or_init(|| build().expect("strips of this mesh"))
+    }
+
+    /// Takes over a model, unless there is one.
+    ///
+    /// # Errors
+    /// [`ModelError`] if it does not belong to the mesh.
+    pub(super) fn set_strips(&self, strips: LodStrips<'static>) -> Result<(), ModelError> {
+        strips.check_mesh(&self.refinable)?;
+        let _ = self.strips.set(strips);
+        Ok(())
+    }
+
+    pub(super) fn mts(&self) -> &Mts<'static> {
+        let build = || Mts::build(&self.refinable, &self.full_strips()).expect("strips of this mesh");
+        self.mts.get_or_init(build)
+    }
+
+    pub(super) fn patterns(&self) -> &Patterns {
+        self.patterns.get_or_init(|| {
+            let fragmented = FragmentedMesh::from_collapses(&self.refinable);
+            Patterns::build(&fragmented).expect("fragments of this mesh")
+        })
+    }
+
+    fn full_strips(&self) -> StripSet {
+        stripify(&self.refinable.mesh).expect("a mesh that was checked")
     }
 
     pub(super) fn scene(&self) -> FanScene<'_> {

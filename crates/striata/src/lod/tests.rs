@@ -3,6 +3,7 @@ use std::ops::ControlFlow;
 use super::*;
 use crate::file::WriteOptions;
 use crate::mesh::{canonical_triangles, replay, shapes};
+use crate::model::LodModel as _;
 use crate::strip::restart_triangles_into;
 use crate::view::Camera;
 
@@ -53,6 +54,59 @@ fn a_moved_level_equals_a_new_one() {
         assert_eq!(level.indices(), fresh.indices());
         assert_eq!((level.error(), level.stop_reason()), (fresh.error(), fresh.stop_reason()));
     }
+}
+
+#[test]
+fn strips_follow_levels_by_changes() {
+    for mesh in consistent_meshes() {
+        let lod = Lod::build(&mesh, &LodOptions::default()).unwrap();
+        let mut level = lod.strip_level(Target::Detail(1.0));
+        let mut uploaded = level.indices().to_vec();
+        level.take_changed_ranges();
+        let steps = lod.step_count();
+        for split_count in (0..=steps).rev().chain([steps, steps / 2, steps / 3, 2 * steps / 3]) {
+            level.move_to(Target::SplitCount(split_count));
+            for range in level.take_changed_ranges() {
+                let range = range.start as usize..range.end as usize;
+                uploaded[range.clone()].copy_from_slice(&level.indices()[range]);
+            }
+            let mut triangles = Vec::new();
+            for range in level.groups() {
+                restart_triangles_into(&uploaded[range.start as usize..range.end as usize], &mut triangles);
+            }
+            let expected = replay(lod.tables.refinable(), split_count);
+            assert_eq!(canonical_triangles(&triangles), canonical_triangles(&expected.triangles));
+            let counts = (level.triangle_count(), level.split_count(), level.vertex_count());
+            assert_eq!(counts, (triangles.len(), split_count, lod.sequence().vertex_count_at(split_count)));
+            assert_eq!(level.error(), lod.level(Target::SplitCount(split_count)).error());
+        }
+    }
+}
+
+#[test]
+fn models_are_shared_stored_and_taken_over() {
+    let lod = Lod::build(&shapes::terrain(20, 3), &LodOptions::default()).unwrap();
+    let strips: *const _ = lod.clone().strips();
+    assert!(std::ptr::eq(strips, lod.strips()), "clones share models");
+    let (mut mts, mut patterns) = (lod.mts().new_state(), lod.patterns().new_state());
+    let half = lod.step_count() / 2;
+    lod.mts().move_to(&mut mts, half);
+    lod.patterns().move_to(&mut patterns, half);
+    let expected = canonical_triangles(&replay(lod.tables.refinable(), half).triangles);
+    let mut shown = [Vec::new(), Vec::new()];
+    lod.mts().triangles_into(&mts, &mut shown[0]);
+    lod.patterns().triangles_into(&patterns, &mut shown[1]);
+    assert!(shown.iter().all(|triangles| canonical_triangles(triangles) == expected));
+
+    let bytes = lod.to_striata(&WriteOptions::default()).unwrap();
+    let file = StriataFile::parse(&bytes).unwrap();
+    let stored = file.lod_strips().expect("strips that were used").unwrap().into_owned();
+    assert!(file.mts().is_some() && file.patterns().is_some());
+    let opened = Lod::from_file(&file).unwrap().with_strips(stored.clone()).unwrap();
+    assert_eq!(opened.strips(), lod.strips());
+
+    let other = Lod::build(&shapes::terrain(20, 4), &LodOptions::default()).unwrap();
+    assert!(matches!(other.with_strips(stored), Err(ModelError::Record { .. } | ModelError::Length { .. })));
 }
 
 #[test]

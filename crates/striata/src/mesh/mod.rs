@@ -59,5 +59,4 @@ pub(crate) use triangle_data::gather_layers;
 pub use triangle_data::{layers_from_sorted, level_sources, nearest_sources, sorted_triangle_order};
 pub use triangle_tree::{Nearest, TriangleTree};
 pub use validate::{MAX_LISTED_PER_KIND, Report, validate};
-pub(crate) use weld::ZOrderCurve;
 pub use weld::{Welded, index_positions, weld};

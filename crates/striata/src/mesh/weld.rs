@@ -287,7 +287,7 @@ fn positions_of_sources(position_of: &[u32], vertices: &Vertices, order: &[u32],
 }
 
 /// The Z-order (Morton) curve over the bounds of a mesh.
-pub(crate) struct ZOrderCurve {
+struct ZOrderCurve {
     min: [f64; 3],
     scale: f64,
 }
@@ -296,7 +296,7 @@ impl ZOrderCurve {
     const BITS: u32 = 21;
 
     /// Fits the curve to the bounds of a mesh; `None` if it has no vertices.
-    pub(crate) fn of(mesh: &IndexedMesh) -> Option<Self> {
+    fn of(mesh: &IndexedMesh) -> Option<Self> {
         let bounds = mesh.bounds()?;
         let min = bounds.min.map(f64::from);
         let extent = (0..3).map(|a| f64::from(bounds.max[a]) - min[a]).fold(0.0, f64::max);
@@ -305,7 +305,7 @@ impl ZOrderCurve {
     }
 
     /// Returns the place of a point along the curve.
-    pub(crate) fn code(&self, p: [f32; 3]) -> u64 {
+    fn code(&self, p: [f32; 3]) -> u64 {
         let cell = |a: usize| spread_bits(((f64::from(p[a]) - self.min[a]) * self.scale) as u64);
         cell(0) | cell(1) << 1 | cell(2) << 2
     }

@@ -59,14 +59,6 @@ impl StepBounds {
         self.records[step as usize].part(center)
     }
 
-    /// Returns the bounds of a step as they are stored.
-    ///
-    /// # Panics
-    /// If the step does not exist.
-    pub(in crate::model) fn record(&self, step: u32) -> PartRecord {
-        self.records[step as usize]
-    }
-
     /// Number of steps that have bounds.
     pub(in crate::model) fn step_count(&self) -> usize {
         self.records.len()

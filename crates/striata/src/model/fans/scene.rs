@@ -1,7 +1,6 @@
 //! Combines a table with the positions that a view criterion needs.
 
 use super::Fans;
-use crate::model::part_record::PartRecord;
 use crate::model::step_bounds::StepBounds;
 use crate::view::{Part, Sphere};
 
@@ -37,11 +36,6 @@ impl<'a> FanScene<'a> {
     #[inline(always)]
     pub fn part(&self, step: u32) -> Part {
         self.bounds.part(step, self.positions[self.fans.center_vertex(step)])
-    }
-
-    /// Returns the bounds of a step as they are stored.
-    pub(super) fn record(&self, step: u32) -> PartRecord {
-        self.bounds.record(step)
     }
 
     /// Returns a sphere around all positions, for

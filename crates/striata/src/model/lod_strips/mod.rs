@@ -65,6 +65,7 @@ use super::{
     DrawCounts, LodModel, ModelError, PartBytes, StoredModel, StripModel, Topology, join_strips,
     strips_of_group_into,
 };
+use crate::mesh::RefinableMesh;
 
 /// The static half of the model, shared by all instances; see the [module](self).
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -133,6 +134,40 @@ impl<'a> LodStrips<'a> {
             arena: self.arena.into_owned().into(),
             group_offsets: self.group_offsets,
         }
+    }
+
+    /// Checks that the model was built for a mesh.
+    ///
+    /// # Errors
+    /// [`ModelError`] for the first step or group that differs.
+    pub(crate) fn check_mesh(&self, refinable: &RefinableMesh) -> Result<(), ModelError> {
+        let sequence = &refinable.sequence;
+        let (found, expected) = (self.vertices.step_count(), sequence.step_count());
+        if found != expected {
+            return Err(ModelError::Length { what: "steps", found, expected });
+        }
+        let base = self.vertices.base_vertex_count();
+        let is_same = |&step: &usize| {
+            let vertices = sequence.step_vertices(step);
+            vertices == self.vertices.of_step(step)
+                && vertices.into_iter().all(|v| self.targets.get((v - base) as usize) == sequence.target(v))
+        };
+        if let Some(step) = (0..expected).find(|step| !is_same(step)) {
+            return Err(ModelError::Record { step, reason: "restores other vertices than that of the mesh" });
+        }
+        let groups = refinable.mesh.groups_or_whole();
+        if self.group_count() != groups.len() {
+            return Err(ModelError::GroupCount { found: self.group_count(), expected: groups.len() });
+        }
+        let (full, mut triangles) = (self.new_state(), Vec::new());
+        for (group, expected) in groups.iter().map(|group| group.count as usize).enumerate() {
+            triangles.clear();
+            self.group_triangles_into(&full, group, &mut triangles);
+            if triangles.len() != expected {
+                return Err(ModelError::TriangleCount { group, found: triangles.len(), expected });
+            }
+        }
+        Ok(())
     }
 
     /// The split counts at which the stages begin, from fine to coarse. The first one is the step count; a
