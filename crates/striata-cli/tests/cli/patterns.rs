@@ -139,20 +139,17 @@ fn fans_of_removals_are_levels_and_views() {
 #[test]
 fn pictures_show_patterns_and_their_fragments() {
     let bench = with_free_ball();
-    let render = |flags: &str| {
-        bench.run(&format!("render free.striata -o a.png --size 160x120 --json {flags}")).json()
-    };
+    let render = |flags: &str| bench.json(&format!("render free.striata -o a.png --size 160x120 {flags}"));
     let report = render("--levels 100%,20% --colors fragments,surface");
     assert_eq!(report["levels"][1]["model"], "patterns", "the only one that the file has: {report}");
     assert_eq!(
         report["levels"][1]["triangle_count"],
-        bench.run("extract free.striata -o level.ply --triangles 20% --json").json()["levels"][0]["triangle_count"]
+        bench.json("extract free.striata -o level.ply --triangles 20%")["triangle_count"]
     );
     let view = render("--eye 0,0,3 --model patterns --pixels 2");
     assert_eq!(view["levels"][0]["model"], "patterns", "{view}");
-    let of_collapses =
-        "render ball.striata -o a.png --size 160x120 --json --eye 0,0,3 --pixels 2 --model patterns";
-    assert_eq!(bench.run(of_collapses).json()["levels"][0]["model"], "patterns");
+    let of_collapses = "render ball.striata -o a.png --size 160x120 --eye 0,0,3 --pixels 2 --model patterns";
+    assert_eq!(bench.json(of_collapses)["levels"][0]["model"], "patterns");
     bench
         .run("render shape:torus -o a.png --size 160x120 --levels 10% --model patterns --colors fragments")
         .success();

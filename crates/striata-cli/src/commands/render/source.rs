@@ -3,7 +3,7 @@
 
 use striata::file::StriataFile;
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, weld};
-use striata::model::{Fans, LodModel, LodStrips, ModelKind, Mts, Patterns, StoredModel, StripModel};
+use striata::model::{Fans, LodStrips, ModelKind, Mts, Patterns, StoredModel, StripModel};
 use striata::simplify::Target;
 use striata::strip::{StripSet, stripify};
 
