@@ -134,7 +134,6 @@ pub fn stream_facts_json(facts: &StreamInfo) -> Value {
         "head_bytes": facts.head_bytes,
         "base_bytes": facts.base_bytes,
         "chunk_count": facts.chunk_count,
-        "version": facts.version.number(),
         "effort": effort_name(facts.effort),
         "is_lossless": facts.is_exact,
         "grid_bits": facts.grid_bits,

@@ -18,7 +18,7 @@
 //!
 //! | folder | what it does |
 //! | --- | --- |
-//! | `format` | the container: versions, header, position grid, errors, `.striata` files |
+//! | `format` | the container: header, position grid, errors, `.striata` files |
 //! | `entropy` | the range coder and its adaptive models |
 //! | `topology` | closed surfaces, and cutting arbitrary triangles into one |
 //! | `writer` | coarsens the full mesh to the base, then writes the stream while refining it again |
@@ -47,9 +47,6 @@
 //! not a split of a surface. Such steps wait until they are worth a batch of their own and are coded one
 //! after another. Then writer and reader cut their triangles into a surface again. A mesh without such steps
 //! pays for one flag in the header.
-//!
-//! **Versions.** The current version is 2. Streams of version 1, which has no general batches, are read and
-//! written bit for bit (`tests/stored_streams`).
 //!
 //! **Damage.** Every chunk has a checksum. A truncated last chunk has none to compare, so every step must be
 //! valid whatever the bits are: a split of any closed surface gives a closed surface. Work is bounded by
@@ -90,18 +87,18 @@ mod topology;
 mod wedges;
 mod writer;
 
+pub use format::effort::Effort;
 pub use format::error::{DecodeError, StreamDefect};
 pub use format::files::{file_model, open, open_stream, open_truncated, open_with};
 pub use format::grid::GridError;
 pub use format::info::{ChunkInfo, StreamInfo};
-pub use format::version::{Effort, StreamVersion};
 pub use growing::{CutUpdate, GrowingHierarchy, HierarchyCut};
 pub use layers::options::{LayerBitsError, LayerOptions};
 pub use reader::decode::{StreamDecoder, StreamUpdate};
 pub use reader::prefix::PrefixMesh;
 pub use striata::file::STREAM_MAGIC;
 pub use topology::surface::SurfaceDefect;
-pub use writer::defect::{BatchDefect, StepDefect};
+pub use writer::defect::BatchDefect;
 pub use writer::encode::{
     EncodedStream, Precision, SHAPE_STEPS, StreamError, StreamOptions, StreamSizes, encode_stream,
     encode_stream_with_progress,

@@ -89,12 +89,11 @@ struct ListedChunk<'a> {
     bytes: &'a [u8],
 }
 
-/// A head without names, layers and groups.
+/// A head without names, layers and groups. Values of `effort` from 3 on: with general batches.
 fn head(effort: u8, counts: Counts, chunks: &[ListedChunk<'_>]) -> Vec<u8> {
     let mut out = b"\x89STR".to_vec();
-    // Values from 3 on: version 2, with general batches.
-    let (version, flags) = if effort < 3 { (1, 0) } else { (2, 2) };
-    out.extend([version, effort % 3, flags, 0]);
+    let flags = if effort < 3 { 0 } else { 2 };
+    out.extend([2, effort % 3, flags, 0]);
     out.extend([0; 8]);
     counts.into_iter().for_each(|n| put_varint(n, &mut out));
     out.push(14);
@@ -320,7 +319,7 @@ fn rejects_unknown_flags_and_too_many_layers() {
         head(1, [3, 3, 1, 0, 0], &[ListedChunk { claimed: base.len() as u32, splits: 0, bytes: &base }]);
     bytes.extend(&base);
     StreamDecoder::new().push(&bytes).unwrap();
-    bytes[6] = 2;
+    bytes[6] = 16;
     let error = read_with_correct_checksums(&mut bytes).map(|_| ()).unwrap_err();
     assert!(matches!(error, DecodeError::Malformed { .. }), "{error}");
     let mut mesh = triangle();

@@ -12,19 +12,16 @@ use striata::mesh::{
 };
 use striata::simplify::{BatchOptions, SequenceOptions, TopologyRule, build_batches, build_sequence};
 use striata_stream::{
-    DecodeError, Effort, EncodedStream, Precision, StreamDecoder, StreamError, StreamOptions, StreamVersion,
-    encode_stream, encode_stream_with_progress,
+    DecodeError, Effort, EncodedStream, Precision, StreamDecoder, StreamError, StreamOptions, encode_stream,
+    encode_stream_with_progress,
 };
 use support::{Random, RandomSequenceOptions, random_refinable, soup, with_seams_and_groups};
 
 const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
-const VERSIONS: [StreamVersion; 2] = [StreamVersion::One, StreamVersion::Two];
 
-/// All efforts in both versions.
-fn kinds() -> impl Iterator<Item = StreamOptions> {
-    let options =
-        |version| EFFORTS.map(|effort| StreamOptions::default().with_effort(effort).with_version(version));
-    VERSIONS.into_iter().flat_map(options)
+/// Options with each effort.
+fn each_effort() -> [StreamOptions; 3] {
+    EFFORTS.map(|effort| StreamOptions::default().with_effort(effort))
 }
 
 struct Written {
@@ -34,9 +31,7 @@ struct Written {
 
 fn write(mesh: &IndexedMesh, options: &StreamOptions) -> Written {
     // With as many levels as possible, so that small meshes have general batches too.
-    let batches =
-        BatchOptions::default().with_general(options.version != StreamVersion::One).with_general_floor(0);
-    let built = build_batches(mesh, &batches).unwrap();
+    let built = build_batches(mesh, &BatchOptions::default().with_general_floor(0)).unwrap();
     let stream = encode_stream(&built.built.refinable, &built.batches, options).unwrap();
     Written { source: built.built.refinable, stream }
 }
@@ -183,7 +178,7 @@ fn check(mesh: &IndexedMesh, options: &StreamOptions, seed: u64) {
 fn decodes_all_meshes_completely_and_in_parts() {
     for (index, (name, mesh)) in meshes::all().into_iter().enumerate() {
         eprintln!("{name}");
-        kinds().for_each(|options| check(&mesh, &options, index as u64));
+        each_effort().into_iter().for_each(|options| check(&mesh, &options, index as u64));
     }
 }
 
@@ -210,7 +205,7 @@ fn decodes_seams_groups_and_layers() {
     for (name, mesh) in meshes::all() {
         eprintln!("{name}");
         let mesh = with_seams_and_groups(mesh);
-        kinds().for_each(|options| check(&mesh, &options, 4));
+        each_effort().into_iter().for_each(|options| check(&mesh, &options, 4));
         check(&mesh, &StreamOptions::default().with_precision(Precision::Lossless), 5);
     }
 }
@@ -227,7 +222,7 @@ fn copies_in_the_same_place_have_small_bases() {
         ("decal", meshes::decal(shapes::terrain(16, 3))),
     ];
     for (name, mesh) in meshes {
-        for options in kinds() {
+        for options in each_effort() {
             let written = write(&mesh, &options);
             let base = written.source.sequence.triangle_count_at(0);
             assert!(10 * base <= mesh.triangle_count(), "{name}: {base} of {}", mesh.triangle_count());
@@ -248,7 +243,7 @@ fn copies_in_the_same_place_have_small_bases() {
 #[test]
 fn decodes_hubs_of_thousands_of_triangles() {
     for mesh in [shapes::closed_fan(5000), shapes::uv_sphere(3, 3000, 1.0)] {
-        kinds().for_each(|options| check(&mesh, &options, 9));
+        each_effort().into_iter().for_each(|options| check(&mesh, &options, 9));
     }
 }
 
@@ -295,19 +290,16 @@ fn hubs_of_thousands_of_vertices_take_linear_time() {
     check_whole(&Written { source: cone, stream }, &options);
     let made = build_batches(&split_cone(5000).mesh, &BatchOptions::default());
     let made = made.unwrap();
-    for version in [StreamVersion::One, StreamVersion::Two] {
-        let options = StreamOptions::default().with_version(version);
-        let source = made.built.refinable.clone();
-        let stream = encode_stream(&source, &made.batches, &options).unwrap();
-        check_whole(&Written { source, stream }, &options);
-    }
+    let source = made.built.refinable;
+    let stream = encode_stream(&source, &made.batches, &options).unwrap();
+    check_whole(&Written { source, stream }, &options);
 }
 
 /// The order of steps is arbitrary if each is a separate batch.
 #[test]
 fn single_steps_are_valid_batches() {
     for mesh in [shapes::torus(24, 12, 1.0, 0.4), shapes::icosphere(3, 1.0), support::grid(16, true)] {
-        // Version 1 cannot encode steps that change the topology.
+        // Steps that change the topology would be general batches.
         let options = SequenceOptions::default().with_topology(TopologyRule::Keep);
         let built = build_sequence(&mesh, &options).unwrap();
         let batches: Vec<u32> = (0..=built.refinable.sequence.step_count() as u32).collect();
@@ -336,7 +328,7 @@ fn rejects_bytes_after_the_end() {
 #[test]
 fn damaged_bytes_are_rejected_or_give_a_mesh() {
     let mesh = with_seams_and_groups(support::grid(14, true));
-    for options in kinds() {
+    for options in each_effort() {
         let bytes = write(&mesh, &options).stream.bytes;
         for at in 0..bytes.len() {
             let mut damaged = bytes.clone();
@@ -357,7 +349,7 @@ fn damaged_bytes_are_rejected_or_give_a_mesh() {
 fn garbage_in_a_truncated_chunk_gives_a_mesh() {
     let mut random = Random::new(8);
     let mesh = with_seams_and_groups(support::grid(20, false));
-    for options in kinds() {
+    for options in each_effort() {
         let bytes = write(&mesh, &options).stream.bytes;
         for _ in 0..300 {
             let mut damaged = bytes[..bytes.len() - 1].to_vec();
@@ -381,13 +373,10 @@ fn garbage_in_a_truncated_chunk_gives_a_mesh() {
     }
 }
 
-/// A mesh with a boundary, seams, groups and layers. Streams of it in both versions are stored next to
-/// the tests.
+/// A mesh with a boundary, seams, groups and layers. Streams of it are stored next to the tests.
 fn stored_surface() -> IndexedMesh {
     meshes::with_patches(meshes::rough(shapes::terrain(24, 3), 0.01, 7), 140)
 }
-
-const KEPT: [&str; 4] = ["fast", "default", "small", "exact"];
 
 /// The source of a stored stream.
 struct StoredStream {
@@ -396,26 +385,24 @@ struct StoredStream {
     options: StreamOptions,
 }
 
-/// The stored streams of the current version; the last one has general batches.
+/// The stored streams; the last one has general batches.
 fn stored_streams() -> Vec<StoredStream> {
     let options = StreamOptions::default().with_precision(Precision::Bits(12));
-    let all = [
-        options.clone().with_effort(Effort::Fast),
-        options.clone(),
-        options.clone().with_effort(Effort::Small),
-        options.clone().with_precision(Precision::Lossless),
-    ];
-    let surfaces = KEPT.into_iter().zip(all).map(|(name, options)| StoredStream {
-        name,
-        mesh: stored_surface(),
-        options,
-    });
-    surfaces.chain([StoredStream { name: "parts", mesh: meshes::asset(12, 5), options }]).collect()
+    let surfaces = [
+        ("fast", options.clone().with_effort(Effort::Fast)),
+        ("default", options.clone()),
+        ("small", options.clone().with_effort(Effort::Small)),
+        ("exact", options.clone().with_precision(Precision::Lossless)),
+    ]
+    .map(|(name, options)| StoredStream { name, mesh: stored_surface(), options });
+    surfaces
+        .into_iter()
+        .chain([StoredStream { name: "parts", mesh: meshes::asset(12, 5), options }])
+        .collect()
 }
 
-fn stored_path(version: StreamVersion, name: &str) -> std::path::PathBuf {
-    let folder = format!("tests/stored_streams/version{}", version.number());
-    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder).join(format!("{name}.stri"))
+fn stored_path(name: &str) -> std::path::PathBuf {
+    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/stored_streams/{name}.stri"))
 }
 
 /// The stored files were written by a build with different optimizations, usually on a different machine
@@ -423,7 +410,7 @@ fn stored_path(version: StreamVersion, name: &str) -> std::path::PathBuf {
 #[test]
 fn streams_have_the_same_bits_on_every_machine() {
     for StoredStream { name, mesh, options } in stored_streams() {
-        let bytes = std::fs::read(stored_path(StreamVersion::Two, name)).expect("stored stream");
+        let bytes = std::fs::read(stored_path(name)).expect("stored stream");
         let written = write(&mesh, &options);
         assert!(written.stream.bytes == bytes, "{name}: this build writes a different stream");
         check_whole(&written, &options);
@@ -432,30 +419,21 @@ fn streams_have_the_same_bits_on_every_machine() {
     }
 }
 
-/// The files were written before version 2 existed, from batches that are chosen differently now.
+/// A reader says what to do with a stream of another version.
 #[test]
-fn decodes_streams_of_the_first_version() {
-    let mesh = stored_surface();
-    let nearest = |point: [f32; 3]| {
-        let off = |v: &usize| (0..3).map(|a| (mesh.positions[*v][a] - point[a]).powi(2)).sum::<f32>();
-        let nearest = (0..mesh.positions.len()).min_by(|v, w| off(v).total_cmp(&off(w))).unwrap();
-        (nearest, off(&nearest).sqrt())
-    };
-    // Vertices of one position have the same nearest vertex.
-    let position: Vec<u32> = mesh.positions.iter().map(|&point| nearest(point).0 as u32).collect();
-    for name in KEPT {
-        let bytes = std::fs::read(stored_path(StreamVersion::One, name)).expect("stored stream");
-        let decoder = read(&bytes);
-        let decoded = decoder.refinable_mesh().unwrap();
-        let found: Vec<(usize, f32)> = decoded.mesh.positions.iter().map(|&point| nearest(point)).collect();
-        let most = if name == "exact" { 0.0 } else { mesh.diagonal() as f32 / 4096.0 };
-        assert!(found.iter().all(|&(_, off)| off <= most), "{name}: a vertex has moved");
-        assert_eq!(
-            groups_of(&decoded.mesh, |v| found[v as usize].0 as u32),
-            groups_of(&mesh, |v| position[v as usize])
-        );
-        check_parts(&bytes, &decoded, &mut Random::new(1));
-    }
+fn streams_of_other_versions_are_refused() {
+    let mut bytes = write(&shapes::icosphere(1, 1.0), &StreamOptions::default()).stream.bytes;
+    bytes[4] = 1;
+    let error = StreamDecoder::new().push(&bytes).unwrap_err();
+    assert_eq!(error, DecodeError::Version { found: 1, supported: 2 });
+    assert_eq!(
+        error.to_string(),
+        "the stream has format version 1, but this reader supports only version 2; an older version of striata made \
+         it, so it must be encoded again"
+    );
+    bytes[4] = 3;
+    let error = StreamDecoder::new().push(&bytes).unwrap_err();
+    assert_eq!(error.to_string(), "the stream has format version 3, but this reader supports only version 2");
 }
 
 /// Run by hand after a change of the bitstream format: `cargo test --release --test streams -- --ignored`.
@@ -463,7 +441,7 @@ fn decodes_streams_of_the_first_version() {
 #[ignore = "writes the streams that are kept"]
 fn rewrite_stored_streams() {
     for StoredStream { name, mesh, options } in stored_streams() {
-        let path = stored_path(StreamVersion::Two, name);
+        let path = stored_path(name);
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();
         std::fs::write(path, write(&mesh, &options).stream.bytes).unwrap();
     }
@@ -535,9 +513,6 @@ fn assets_simplify_to_very_small_bases() {
             let whole = check_whole(&written, &options);
             check_parts(&written.stream.bytes, &whole, &mut Random::new(seed));
         }
-        let old = StreamOptions::default().with_version(StreamVersion::One);
-        let error = encode_stream(&built.built.refinable, &built.batches, &old).unwrap_err();
-        assert!(matches!(error, StreamError::Batches(_)), "{error}");
     }
 }
 
@@ -581,7 +556,7 @@ proptest! {
         };
         let ids: Vec<f32> = (0..count * mesh.vertex_count()).map(|_| id()).collect();
         let precision = if is_lossless { Precision::Lossless } else { Precision::default() };
-        for options in kinds() {
+        for options in each_effort() {
             check_ids(&with_ids(&mesh, LayerData::F32(ids.clone())), &options.with_precision(precision));
         }
     }
@@ -597,7 +572,7 @@ proptest! {
         if has_seams {
             mesh = with_seams_and_groups(mesh);
         }
-        let options = kinds().nth(seed as usize % 6).unwrap();
+        let options = StreamOptions::default().with_effort(EFFORTS[seed as usize % 3]);
         check(&mesh, &options, seed);
     }
 
@@ -612,7 +587,7 @@ proptest! {
         if has_seams {
             mesh = with_seams_and_groups(mesh);
         }
-        let options = kinds().nth(seed as usize % 6).unwrap();
+        let options = StreamOptions::default().with_effort(EFFORTS[seed as usize % 3]);
         check(&mesh, &options, seed);
     }
 }
@@ -735,15 +710,12 @@ fn identifiers_in_floats_are_exact_at_every_level_and_as_small_as_integers() {
         &|v| regions(v)[0] * 9173 + regions(v)[1] * 83 + regions(v)[2],
         &|_| 7,
     ];
-    for options in kinds() {
+    for options in each_effort() {
         for id_of in ids_of {
             let ids: Vec<i32> = (0..mesh.vertex_count()).map(id_of).collect();
             let floats = with_ids(&mesh, LayerData::F32(ids.iter().map(|&id| id as f32).collect()));
             check_ids(&floats, &options);
             check_ids(&floats, &options.clone().with_precision(Precision::Lossless));
-            if options.version == StreamVersion::One {
-                continue;
-            }
             let [size, integer_size] = [floats, with_ids(&mesh, LayerData::I32(ids))]
                 .map(|mesh| write(&mesh, &options).stream.bytes.len());
             // The grid takes 12 bytes of the head.

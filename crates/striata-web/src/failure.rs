@@ -74,6 +74,7 @@ impl From<DecodeError> for Failure {
     fn from(error: DecodeError) -> Self {
         match &error {
             DecodeError::Magic { .. } => Self::format(error),
+            DecodeError::Version { found, supported } if found < supported => Self::unsupported(error),
             DecodeError::Version { .. } | DecodeError::UnknownSection { .. } => {
                 Self::unsupported(error).with_hint("a newer version of the viewer may read it")
             }

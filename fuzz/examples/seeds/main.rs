@@ -13,7 +13,7 @@ use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequ
 use striata::strip::stripify;
 use striata_io::Format;
 use striata_lab::baseline::SequentialPatterns;
-use striata_stream::{Effort, Precision, StreamOptions, StreamVersion, encode_stream, file_model};
+use striata_stream::{Effort, Precision, StreamOptions, encode_stream, file_model};
 use striata_testing::meshes;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -54,21 +54,17 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// A file name and its contents.
 type NamedBytes = (&'static str, Vec<u8>);
 
-/// Progressive streams of each effort, a lossless one, and one of version 1.
+/// Progressive streams of each effort, and a lossless one.
 fn streams(mesh: &IndexedMesh) -> Result<Vec<NamedBytes>, Box<dyn Error>> {
-    let all = BatchOptions::default().with_general_floor(0);
-    let built = build_batches(mesh, &all)?;
-    let surface = build_batches(mesh, &all.with_general(false))?;
+    let built = build_batches(mesh, &BatchOptions::default().with_general_floor(0))?;
     let options = StreamOptions::default().with_precision(Precision::Bits(8));
     let forms = [
         ("fast", options.clone().with_effort(Effort::Fast)),
         ("default", options.clone()),
         ("small", options.clone().with_effort(Effort::Small)),
-        ("exact", options.clone().with_precision(Precision::Lossless)),
-        ("first", options.with_version(StreamVersion::One)),
+        ("exact", options.with_precision(Precision::Lossless)),
     ];
     let write = |(name, options)| {
-        let built = if name == "first" { &surface } else { &built };
         let stream = encode_stream(&built.built.refinable, &built.batches, &options)?;
         Ok((name, stream.bytes))
     };

@@ -1,6 +1,6 @@
 //! Targets of owned vertices, coded from fine to coarse: nearly always one of the current neighbors.
 
-use striata_stream::entropy::{Coder, QuickSymbol, code_uniform};
+use striata_stream::entropy::{AdaptiveSymbol, Coder, code_uniform};
 
 use super::triangles::{Shape, TriangleCoder};
 use crate::Page;
@@ -22,7 +22,7 @@ impl TriangleCoder<'_> {
         let mut targets: Vec<u32> = (0..self.shape.vertices.len() as u32).collect();
         let mut links = targets.clone();
         let actual_of = self.actual_targets(page);
-        let mut ranks = [QuickSymbol::new(8); 32];
+        let mut ranks = [AdaptiveSymbol::new(8); 32];
         let (mut wedges, mut neighbors) = (Vec::new(), Neighbors::default());
         for p in order {
             if coder.overran() {

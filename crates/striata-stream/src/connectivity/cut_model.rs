@@ -2,7 +2,7 @@
 //! runs.
 //!
 //! The score of a run is the sum of weights for its two end edges, its inner edges, its triangles and its
-//! length, each looked up by small features, and optionally of weights for features of the run as a whole.
+//! length, each looked up by small features, and of weights for features of the run as a whole.
 //! The probability of a run is the exponential of its score over the sum of all exponentials (softmax).
 //! After each split, every weight involved moves along the gradient of the coding cost. Scores without the
 //! whole-run features are running sums, cheap enough to evaluate how well any vertex could split.
@@ -183,23 +183,18 @@ impl CutModel {
     }
 
     /// Codes one of the runs, given by the index of its first edge and its length, and learns from it.
-    /// There must be at least one run. `uses_run_features` selects whether whole-run features are used.
+    /// There must be at least one run.
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
         ring: &Ring,
         actual: Option<(usize, usize)>,
-        uses_run_features: bool,
     ) -> (usize, usize) {
-        self.run_features.clear();
-        if uses_run_features {
-            self.add_run_features(ring);
-        }
+        self.add_run_features(ring);
         let actual = actual
             .and_then(|run| self.runs.iter().position(|r| (r.first as usize, r.length as usize) == run));
         debug_assert!(C::READS || actual.is_some(), "the run of the cut is not one of the possible runs");
-        let guesses = if uses_run_features { 3 } else { 1 };
-        let candidates = Candidates { weights: &mut self.exponentials, total: self.total, guesses };
+        let candidates = Candidates { weights: &mut self.exponentials, total: self.total };
         let chosen = self.choice.code(coder, candidates, actual.unwrap_or(0));
         self.learn(chosen);
         self.height += (ring.height - self.height) >> 5;
@@ -209,6 +204,7 @@ impl CutModel {
 
     /// Adds the scores of whole-run features.
     fn add_run_features(&mut self, ring: &Ring) {
+        self.run_features.clear();
         let mut whole = [0; 3];
         for spoke in &ring.spokes {
             (0..3).for_each(|a| whole[a] += i64::from(spoke.normal[a]));

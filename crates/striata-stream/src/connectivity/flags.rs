@@ -2,6 +2,8 @@
 
 use crate::entropy::{AdaptiveBit, Coder, Mixer, ProbabilityMap, Rate, log_odds};
 
+/// Number of inputs of the mixer; the last one is not a context.
+const INPUTS: usize = 9;
 /// Number of values of each context.
 const CONTEXT_SIZE: usize = 1024;
 /// Number of weight sets of the mixer, and of contexts of the final refinement.
@@ -13,10 +15,10 @@ const WEIGHT_ONE: i32 = 1 << 16;
 const LOG_ODDS_LIMIT: i32 = 2047;
 
 /// Data available when a flag is coded.
-pub(super) struct FlagContext<const N: usize> {
-    /// Values of the contexts; the last one is unused.
-    pub(super) contexts: [usize; N],
-    /// An additional prediction, mixed in place of the last context.
+pub(super) struct FlagContext {
+    /// Values of the contexts.
+    pub(super) contexts: [usize; INPUTS - 1],
+    /// An additional prediction.
     pub(super) log_odds: i32,
     /// Weight set of the mixer, below 32.
     pub(super) weight_set: usize,
@@ -24,21 +26,21 @@ pub(super) struct FlagContext<const N: usize> {
     pub(super) map_context: usize,
 }
 
-/// Mixes the predictions of `N - 1` contexts and an additional one.
+/// Mixes the predictions of the contexts and an additional one.
 #[derive(Clone, Debug)]
-pub(super) struct FlagModel<const N: usize> {
+pub(super) struct FlagModel {
     bits: Vec<AdaptiveBit>,
-    mixer: Mixer<N>,
+    mixer: Mixer<INPUTS>,
     probability_map: ProbabilityMap,
 }
 
-impl<const N: usize> FlagModel<N> {
+impl FlagModel {
     /// Creates an untrained model.
     pub(super) fn new() -> Self {
-        let mut first = [3 * WEIGHT_ONE / N as i32; N];
-        first[N - 1] = 0;
+        let mut first = [3 * WEIGHT_ONE / INPUTS as i32; INPUTS];
+        first[INPUTS - 1] = 0;
         Self {
-            bits: vec![AdaptiveBit::new(Rate::Steady); (N - 1) * CONTEXT_SIZE],
+            bits: vec![AdaptiveBit::new(Rate::Steady); (INPUTS - 1) * CONTEXT_SIZE],
             mixer: Mixer::new(WEIGHT_SETS, first),
             probability_map: ProbabilityMap::new(MAP_CONTEXTS),
         }
@@ -46,13 +48,13 @@ impl<const N: usize> FlagModel<N> {
 
     /// Codes a flag and learns it.
     #[inline]
-    pub(super) fn code<C: Coder>(&mut self, coder: &mut C, context: &FlagContext<N>, actual: bool) -> bool {
-        let mut inputs = [0; N];
+    pub(super) fn code<C: Coder>(&mut self, coder: &mut C, context: &FlagContext, actual: bool) -> bool {
+        let mut inputs = [0; INPUTS];
         let tables = self.bits.chunks_exact(CONTEXT_SIZE);
         for ((input, table), &context) in inputs.iter_mut().zip(tables).zip(&context.contexts) {
             *input = log_odds(table[context].p_one());
         }
-        inputs[N - 1] = context.log_odds.clamp(-LOG_ODDS_LIMIT, LOG_ODDS_LIMIT);
+        inputs[INPUTS - 1] = context.log_odds.clamp(-LOG_ODDS_LIMIT, LOG_ODDS_LIMIT);
         let mixed = self.mixer.mix(&inputs, context.weight_set);
         let p_one = self.probability_map.refine(mixed, context.map_context);
         let flag = coder.bit(actual, p_one);

@@ -8,7 +8,7 @@
 use super::ranked_cuts::MAX_RING;
 use super::ring::{cross, dot, dot_wide, log2_wide, mean};
 use super::softmax::{SCORE_ONE, exponential};
-use crate::entropy::{Coder, QuickShares, log2_q8};
+use crate::entropy::{Coder, Shares, log2_q8};
 
 /// Features of an edge: ranges in one table, which has a weight for end edges and one for inner edges.
 const LENGTHS: usize = 17;
@@ -130,7 +130,7 @@ impl LearnedCuts {
         let total = self.exponentiate(best, max_length);
         let inverse = (1 << INVERSE_BITS) / u64::from(total);
         let shares = cumulative_shares(&self.by_length, inverse);
-        let length = 1 + coder.quick_symbol(actual.1.wrapping_sub(1) & (MAX_RING - 1), &shares);
+        let length = 1 + coder.symbol(actual.1.wrapping_sub(1) & (MAX_RING - 1), &shares);
         if length > max_length || self.starts[length] == 0 {
             return None;
         }
@@ -139,10 +139,7 @@ impl LearnedCuts {
             starts.trailing_zeros() as usize
         } else {
             let inverse = (1 << INVERSE_BITS) / u64::from(self.by_length[length - 1]);
-            coder.quick_symbol(
-                actual.0 & (MAX_RING - 1),
-                &cumulative_shares(&self.exponentials[length], inverse),
-            )
+            coder.symbol(actual.0 & (MAX_RING - 1), &cumulative_shares(&self.exponentials[length], inverse))
         };
         if starts >> start & 1 == 0 {
             return None;
@@ -325,7 +322,7 @@ const SHARED_BY_WEIGHT: u32 = (1 << 15) - MAX_RING as u32 - 1;
 /// Returns cumulative shares proportional to the weights, plus one for each weight that is not 0; `inverse`
 /// is the inverse of the sum of the weights.
 #[inline]
-fn cumulative_shares(weights: &[u32; MAX_RING], inverse: u64) -> QuickShares {
+fn cumulative_shares(weights: &[u32; MAX_RING], inverse: u64) -> Shares {
     let mut shares = [0; MAX_RING];
     let mut begin = 0;
     for (share, &weight) in shares.iter_mut().zip(weights) {

@@ -4,7 +4,7 @@
 //! batch and the previous ones, how many of its triangles are still free, and how long its edges and how
 //! curved its surroundings are compared with the average. Which run of its triangles moves to the new
 //! vertex is chosen among all possible runs by a log-linear model that learns online. If speed matters,
-//! flags depend only on the history stored with a vertex. For the smallest streams, the ring is examined
+//! flags depend only on numbers stored with a vertex. For the smallest streams, the ring is examined
 //! and its runs are scored first, since a vertex that can split well is likely to.
 //!
 //! | file | what it does |
@@ -18,7 +18,7 @@
 //! | `gather.rs` | gathers a ring from surface, walk and history |
 //! | `patch.rs` | features of a run of triangles as a whole |
 //! | `cut_model.rs` | [`CutModel`]: scores of runs, and how they are learned |
-//! | `learned_cuts.rs` | a faster form of that model, for the default effort from version 2 on |
+//! | `learned_cuts.rs` | a faster form of that model, for the default effort |
 //! | `softmax.rs` | from scores to probabilities to decisions |
 //! | `flags.rs` | [`FlagModel`]: mixes the contexts of a flag |
 //!
@@ -44,37 +44,26 @@ use cut_model::{CutModel, MAX_RUN};
 use flags::{FlagContext, FlagModel};
 
 use crate::entropy::{AdaptiveBit, Coder, Rate};
-use crate::format::version::Effort;
 use crate::topology::surface::{Cut, Surface, next, triangle_of};
 use ring::Ring;
 pub(crate) use split_context::SplitContext;
 use vertex_history::{VertexHistories, VertexHistory};
-
-/// Number of mixer inputs for flags coded from the history, and from the ring; the last input is not a
-/// context.
-const HISTORY_INPUTS: usize = 7;
-const RING_INPUTS: usize = 9;
 
 /// Number of contexts of the prefilter, and the probability of a split, in 1/65536, below which a ring is
 /// not examined.
 const PREFILTER_CONTEXTS: usize = 8 * 8 * 4 * 4 * 4;
 const MIN_PROBABILITY: u32 = 1500;
 
-/// Adaptive models of flags and cuts that examine rings.
+/// Adaptive models of flags and cuts that examine rings, for the smallest streams.
 #[derive(Clone, Debug)]
 pub(super) struct ConnectivityModel {
-    /// Whether every ring is examined before its flag is coded, and runs are scored by whole-run features
-    /// too.
-    is_thorough: bool,
     history: VertexHistories,
     ring: Ring,
     cuts: CutModel,
-    history_flags: FlagModel<HISTORY_INPUTS>,
-    ring_flags: FlagModel<RING_INPUTS>,
+    flags: FlagModel,
     prefilter: Vec<AdaptiveBit>,
     is_long: AdaptiveBit,
-    /// Running means of length and height around visited vertices, in the scale of whichever flag model is
-    /// in use.
+    /// Running means of length and height around visited vertices.
     length: i32,
     height: i32,
     /// Flags of the last visited vertices, one bit each.
@@ -82,14 +71,12 @@ pub(super) struct ConnectivityModel {
 }
 
 impl ConnectivityModel {
-    pub(super) fn new(effort: Effort) -> Self {
+    pub(super) fn new() -> Self {
         Self {
-            is_thorough: effort == Effort::Small,
             history: VertexHistories::default(),
             ring: Ring::default(),
             cuts: CutModel::new(),
-            history_flags: FlagModel::new(),
-            ring_flags: FlagModel::new(),
+            flags: FlagModel::new(),
             prefilter: vec![AdaptiveBit::new(Rate::Steady); PREFILTER_CONTEXTS],
             is_long: AdaptiveBit::new(Rate::Steady),
             length: 0,
@@ -114,13 +101,6 @@ impl ConnectivityModel {
         self.history.renumber(old_of_new);
     }
 
-    /// Whether rings are examined before flags are coded. If so, [`code`](Self::code) codes flag and cut of
-    /// a vertex together; otherwise, flags come first, by [`flag`](Self::flag), and [`cut`](Self::cut)
-    /// codes the cuts later.
-    pub(super) fn is_thorough(&self) -> bool {
-        self.is_thorough
-    }
-
     /// Codes whether a vertex splits, and its cut if so; `corners` are those around it, counterclockwise.
     pub(super) fn code<C: Coder>(
         &mut self,
@@ -138,22 +118,18 @@ impl ConnectivityModel {
             self.prefilter[filter].update(splits);
             self.recent_flags = self.recent_flags << 1 | usize::from(splits);
             self.history.record_flag(vertex, i32::from(vertex_history.density), splits);
-            return if splits { self.cut(coder, split_context, (vertex, corners), actual) } else { None };
+            if !splits {
+                return None;
+            }
+            self.examine(split_context, vertex, corners, vertex_history);
+            return self.code_examined_cut(coder, split_context, (vertex, corners), actual);
         }
         self.examine(split_context, vertex, corners, vertex_history);
-        let splits = self.cuts.run_count() > 0
-            && self.code_flag_from_ring(coder, vertex, vertex_history, actual.is_some());
+        let splits =
+            self.cuts.run_count() > 0 && self.code_flag(coder, vertex, vertex_history, actual.is_some());
         self.prefilter[filter].update(splits);
         self.history.record_flag(vertex, self.ring.density, splits);
         splits.then(|| self.code_examined_cut(coder, split_context, (vertex, corners), actual)).flatten()
-    }
-
-    /// Codes whether a vertex splits from its history.
-    pub(super) fn flag<C: Coder>(&mut self, coder: &mut C, vertex: u32, actual: bool) -> bool {
-        let vertex_history = self.history.of(vertex);
-        let splits = self.code_flag_from_history(coder, vertex, vertex_history, actual);
-        self.history.record_flag(vertex, i32::from(vertex_history.density), splits);
-        splits
     }
 
     /// Returns the prefilter context of a vertex.
@@ -165,20 +141,8 @@ impl ConnectivityModel {
         (((usize::from(vertex_history.density >> 5) * 8 + free) * 4 + splits) * 4 + since_split) * 4 + age
     }
 
-    /// Codes the cut of a vertex whose flag is set; returns `None` if a damaged stream sets it for one that
-    /// cannot split.
-    pub(super) fn cut<C: Coder>(
-        &mut self,
-        coder: &mut C,
-        split_context: &SplitContext<'_>,
-        (vertex, corners): (u32, &[u32]),
-        actual: Option<Cut>,
-    ) -> Option<Cut> {
-        self.examine(split_context, vertex, corners, self.history.of(vertex));
-        self.code_examined_cut(coder, split_context, (vertex, corners), actual)
-    }
-
-    /// Codes the cut of a vertex whose ring has been examined.
+    /// Codes the cut of a vertex whose ring has been examined; returns `None` if a damaged stream splits one
+    /// that cannot split.
     fn code_examined_cut<C: Coder>(
         &mut self,
         coder: &mut C,
@@ -224,53 +188,11 @@ impl ConnectivityModel {
         if can_be_long && self.is_long.code(coder, actual.is_some_and(|(_, length)| length > MAX_RUN)) {
             return code_long_run(coder, split_context, corners, actual.unwrap_or((0, 0)));
         }
-        (self.cuts.run_count() > 0).then(|| self.cuts.code(coder, &self.ring, actual, self.is_thorough))
-    }
-
-    /// Codes whether a vertex splits from its history.
-    fn code_flag_from_history<C: Coder>(
-        &mut self,
-        coder: &mut C,
-        vertex: u32,
-        vertex_history: VertexHistory,
-        actual: bool,
-    ) -> bool {
-        let [valence, free, splits, last_splits, since_split] = [
-            vertex_history.valence.min(15),
-            vertex_history.free.min(7),
-            vertex_history.neighbor_splits.min(7),
-            vertex_history.last_neighbor_splits.min(7),
-            vertex_history.since_split,
-        ]
-        .map(usize::from);
-        let age = usize::from(self.history.age(vertex));
-        let around = usize::from(vertex_history.density >> 4);
-        let [length, height] = [vertex_history.length, vertex_history.height].map(i32::from);
-        let length_step = ((length - (self.length >> 8)) / 4 + 16).clamp(0, 31) as usize;
-        let height_step = ((height - (self.height >> 8)) / 10 + 16).clamp(0, 31) as usize;
-        self.length += ((length << 8) - self.length) >> 7;
-        self.height += ((height << 8) - self.height) >> 7;
-        let context = FlagContext {
-            contexts: [
-                valence * 64 + free * 8 + splits,
-                around * 64 + last_splits * 8 + splits,
-                age * 256 + since_split * 64 + last_splits * 8 + free,
-                length_step * 32 + height_step,
-                length_step * 32 + valence.min(7) * 4 + splits.min(3),
-                (self.recent_flags & 31) * 32 + free * 4 + age,
-                0,
-            ],
-            log_odds: 256,
-            weight_set: free * 4 + splits.min(3),
-            map_context: around * 4 + age,
-        };
-        let splits_now = self.history_flags.code(coder, &context, actual);
-        self.recent_flags = self.recent_flags << 1 | usize::from(splits_now);
-        splits_now
+        (self.cuts.run_count() > 0).then(|| self.cuts.code(coder, &self.ring, actual))
     }
 
     /// Codes whether a vertex splits from its ring.
-    fn code_flag_from_ring<C: Coder>(
+    fn code_flag<C: Coder>(
         &mut self,
         coder: &mut C,
         vertex: u32,
@@ -303,13 +225,12 @@ impl ConnectivityModel {
                 sum_step * 16 + around,
                 length_step * 32 + height_step,
                 (self.recent_flags & 31) * 8 + run,
-                0,
             ],
             log_odds: log_sum,
             weight_set: run * 4 + splits.min(3),
             map_context: around * 4 + claimed.min(3),
         };
-        let splits_now = self.ring_flags.code(coder, &context, actual);
+        let splits_now = self.flags.code(coder, &context, actual);
         self.recent_flags = self.recent_flags << 1 | usize::from(splits_now);
         splits_now
     }

@@ -6,15 +6,15 @@
 //! at a time, so that memory accesses overlap. Cuts around vertices with few triangles are two symbols: the
 //! length, and which of the free runs of that length. The fast effort ranks these runs by edge length,
 //! since vertices are missing where edges are long (`ranked_cuts.rs`); the default effort scores them by a
-//! learned model (`learned_cuts.rs`). Cuts around other vertices, and all cuts in version 1, are sequences
-//! of binary decisions (`chain_cuts.rs`).
+//! learned model (`learned_cuts.rs`). Cuts around other vertices are sequences of binary decisions
+//! (`chain_cuts.rs`).
 
 use super::chain_cuts::{ChainCuts, Edges};
 use super::learned_cuts::{LearnedCuts, Spoke as LearnedSpoke};
 use super::ranked_cuts::{self, Edge, RankedCuts};
 use super::split_context::SplitContext;
 use crate::entropy::{AdaptiveBit, Coder, Rate};
-use crate::format::version::{Effort, StreamVersion};
+use crate::format::effort::Effort;
 use crate::positions::Surroundings;
 use crate::refine::walk::Walk;
 use crate::topology::rings::{Neighbor, Rings};
@@ -57,8 +57,6 @@ pub(crate) struct QuickModel {
 /// Coder of cuts around vertices with few triangles.
 #[derive(Clone, Debug)]
 enum Cuts {
-    /// Sequences of binary decisions, as for other vertices.
-    Chains,
     /// Two symbols: the length of the run and its rank.
     Ranked(RankedCuts),
     /// Two symbols, by scores of edges and triangles.
@@ -67,7 +65,7 @@ enum Cuts {
 
 impl QuickModel {
     /// Creates an untrained model, and counts the triangles around each vertex of the base.
-    pub(crate) fn new(surface: &Surface, (effort, version): (Effort, StreamVersion)) -> Self {
+    pub(crate) fn new(surface: &Surface, effort: Effort) -> Self {
         let bit = AdaptiveBit::new(Rate::Steady);
         let triangle_count = |v: u32| surface.ring(v).take(255).count() as u8;
         let record = |v: u32| VertexRecord { triangle_count: triangle_count(v), ..VertexRecord::default() };
@@ -79,9 +77,8 @@ impl QuickModel {
             flags: vec![bit; 16 * 4 * 4 * 8],
             splits: Vec::new(),
             rings: Rings::default(),
-            cuts: match (version, effort) {
-                (StreamVersion::One, _) => Cuts::Chains,
-                (_, Effort::Fast) => Cuts::Ranked(RankedCuts::new()),
+            cuts: match effort {
+                Effort::Fast => Cuts::Ranked(RankedCuts::new()),
                 _ => Cuts::Learned(Box::new(LearnedCuts::new())),
             },
             chains: ChainCuts::new(),
@@ -394,7 +391,7 @@ mod tests {
     fn records_follow_renumbered_vertices() {
         let mesh = shapes::grid(5, 4);
         let mut surface = close(&mesh.triangles, mesh.positions.len()).surface;
-        let mut model = QuickModel::new(&surface, (Effort::Fast, StreamVersion::Two));
+        let mut model = QuickModel::new(&surface, Effort::Fast);
         model.begin_batch(&surface);
         let corner = surface.corner_of(7);
         let new = surface.split(&[corner]);

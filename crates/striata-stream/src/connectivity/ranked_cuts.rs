@@ -4,7 +4,7 @@
 //! Runs are ranked by the lengths of their edges, inner ones counting twice, since vertices are missing where
 //! edges are long; and by how few triangles the vertices at their ends have, since each gets one more.
 
-use crate::entropy::{Coder, QuickSymbol};
+use crate::entropy::{AdaptiveSymbol, Coder};
 
 /// Maximum number of triangles in a ring.
 pub(crate) const MAX_RING: usize = 16;
@@ -28,9 +28,9 @@ pub(crate) struct Edge {
 #[derive(Clone, Debug)]
 pub(crate) struct RankedCuts {
     /// By number of triangles around the vertex, and how many of them are free.
-    lengths: Vec<QuickSymbol>,
+    lengths: Vec<AdaptiveSymbol>,
     /// By number of candidate runs, and their length.
-    ranks: Vec<QuickSymbol>,
+    ranks: Vec<AdaptiveSymbol>,
 }
 
 impl RankedCuts {
@@ -38,8 +38,8 @@ impl RankedCuts {
     pub(crate) fn new() -> Self {
         let all = 0..MAX_RING * MAX_RING;
         Self {
-            lengths: all.clone().map(|at| QuickSymbol::new((at / MAX_RING).max(1))).collect(),
-            ranks: all.map(|at| QuickSymbol::new(at / MAX_RING + 1)).collect(),
+            lengths: all.clone().map(|at| AdaptiveSymbol::new((at / MAX_RING).max(1))).collect(),
+            ranks: all.map(|at| AdaptiveSymbol::new(at / MAX_RING + 1)).collect(),
         }
     }
 

@@ -184,7 +184,7 @@ mod tests {
     use super::super::tests::surface_of;
     use super::super::vertex_history::VertexHistories;
     use super::*;
-    use crate::refine::walk::{Walk, WalkOrder};
+    use crate::refine::walk::Walk;
     use crate::topology::surface::triangle_of;
 
     #[test]
@@ -198,7 +198,7 @@ mod tests {
         let hexagon = [[2 * x, 0], [x, y], [-x, y], [-2 * x, 0], [-x, -y], [x, -y]];
         let grid_points: Vec<[i32; 3]> =
             [[0; 3], [70, 80, 90]].into_iter().chain(hexagon.map(|[x, y]| [70 + x, 80 + y, 90])).collect();
-        let mut walk = Walk::new(WalkOrder::Near);
+        let mut walk = Walk::default();
         walk.begin(&surface);
         let mut history = VertexHistories::default();
         history.begin_batch(&surface);

@@ -41,8 +41,8 @@ pub(super) fn log_sum(sum: u64) -> i32 {
     (log2 * 45_426) >> 16
 }
 
-/// Maximum number of candidates that are coded one by one, most likely first, before the rest is bisected.
-const MAX_GUESSES: usize = 3;
+/// Number of candidates that are coded one by one, most likely first, before the rest is bisected.
+const GUESSES: usize = 3;
 
 /// Codes one of several candidates.
 #[derive(Clone, Debug)]
@@ -56,25 +56,23 @@ pub(super) struct Candidates<'a> {
     pub(super) weights: &'a mut [u32],
     /// Sum of the weights.
     pub(super) total: u64,
-    /// Number of candidates that are coded one by one.
-    pub(super) guesses: usize,
 }
 
 impl ChoiceModel {
     /// Creates an untrained model.
     pub(super) fn new() -> Self {
-        Self { probability_map: ProbabilityMap::new(MAX_GUESSES * 3) }
+        Self { probability_map: ProbabilityMap::new(GUESSES * 3) }
     }
 
     /// Codes the index of a candidate. The weights are modified temporarily and then restored.
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
-        Candidates { weights, total, guesses }: Candidates<'_>,
+        Candidates { weights, total }: Candidates<'_>,
         actual: usize,
     ) -> usize {
         let mut left = total;
-        let mut tried = [(0, 0); MAX_GUESSES];
+        let mut tried = [(0, 0); GUESSES];
         let mut count = 0;
         let mut found = None;
         let size = match weights.len() {
@@ -82,7 +80,7 @@ impl ChoiceModel {
             10..20 => 1,
             _ => 2,
         };
-        while count < guesses.min(MAX_GUESSES) && count + 1 < weights.len() && found.is_none() {
+        while count < GUESSES && count + 1 < weights.len() && found.is_none() {
             let (best, weight) = most_likely(weights);
             let p_one = probability(u64::from(weight), left);
             let p_one = self.probability_map.refine(log_odds(p_one), count * 3 + size);
@@ -169,39 +167,33 @@ mod tests {
     #[test]
     fn choices_round_trip_and_cost_little_more_than_their_information() {
         let mut random = Random::new(5);
-        for guesses in 0..=MAX_GUESSES {
-            let (mut writer, mut choice) = (RangeWriter::new(), ChoiceModel::new());
-            let (mut message, mut information) = (Vec::new(), 0.0);
-            for _ in 0..4000 {
-                let count = 1 + random.below(30);
-                let weights: Vec<u32> =
-                    (0..count).map(|_| exponential(random.below(6 << 16) as i32)).collect();
-                let total: u64 = weights.iter().map(|&w| u64::from(w)).sum();
-                let mut left = u64::from(random.below(total as u32));
-                let chosen = weights.iter().position(|&weight| {
-                    let is_here = left < u64::from(weight);
-                    left = left.wrapping_sub(weight.into());
-                    is_here
-                });
-                let chosen = chosen.unwrap();
-                information -= (f64::from(weights[chosen]) / total as f64).log2();
-                let mut changing = weights.clone();
-                assert_eq!(
-                    choice.code(&mut writer, Candidates { weights: &mut changing, total, guesses }, chosen),
-                    chosen
-                );
-                assert_eq!(changing, weights);
-                message.push((weights, total, chosen));
-            }
-            let bytes = writer.finish().0;
-            assert!((bytes.len() as f64 * 8.0) < information * 1.01, "{} for {information}", bytes.len() * 8);
-            let (mut reader, mut choice) = (RangeReader::new(&bytes, true), ChoiceModel::new());
-            for (mut weights, total, chosen) in message {
-                assert_eq!(
-                    choice.code(&mut reader, Candidates { weights: &mut weights, total, guesses }, 0),
-                    chosen
-                );
-            }
+        let (mut writer, mut choice) = (RangeWriter::new(), ChoiceModel::new());
+        let (mut message, mut information) = (Vec::new(), 0.0);
+        for _ in 0..4000 {
+            let count = 1 + random.below(30);
+            let weights: Vec<u32> = (0..count).map(|_| exponential(random.below(6 << 16) as i32)).collect();
+            let total: u64 = weights.iter().map(|&w| u64::from(w)).sum();
+            let mut left = u64::from(random.below(total as u32));
+            let chosen = weights.iter().position(|&weight| {
+                let is_here = left < u64::from(weight);
+                left = left.wrapping_sub(weight.into());
+                is_here
+            });
+            let chosen = chosen.unwrap();
+            information -= (f64::from(weights[chosen]) / total as f64).log2();
+            let mut changing = weights.clone();
+            assert_eq!(
+                choice.code(&mut writer, Candidates { weights: &mut changing, total }, chosen),
+                chosen
+            );
+            assert_eq!(changing, weights);
+            message.push((weights, total, chosen));
+        }
+        let bytes = writer.finish().0;
+        assert!((bytes.len() as f64 * 8.0) < information * 1.01, "{} for {information}", bytes.len() * 8);
+        let (mut reader, mut choice) = (RangeReader::new(&bytes, true), ChoiceModel::new());
+        for (mut weights, total, chosen) in message {
+            assert_eq!(choice.code(&mut reader, Candidates { weights: &mut weights, total }, 0), chosen);
         }
     }
 }

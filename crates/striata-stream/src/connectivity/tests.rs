@@ -4,7 +4,7 @@ use striata::mesh::{IndexedMesh, Random, shapes};
 
 use super::*;
 use crate::entropy::{RangeReader, RangeWriter};
-use crate::refine::walk::{Walk, WalkOrder};
+use crate::refine::walk::Walk;
 use crate::topology::surface::{Surface, previous};
 
 const MAX_PATCH: u32 = 15;
@@ -20,10 +20,9 @@ struct TestRefiner {
 }
 
 impl TestRefiner {
-    fn new(surface: Surface, grid_points: Vec<[i32; 3]>, effort: Effort) -> Self {
-        let walk = Walk::new(if effort == Effort::Small { WalkOrder::Near } else { WalkOrder::Numbers });
-        let model = ConnectivityModel::new(effort);
-        Self { surface, grid_points, walk, model, corners: Vec::new(), visited_count: 0 }
+    fn new(surface: Surface, grid_points: Vec<[i32; 3]>) -> Self {
+        let model = ConnectivityModel::new();
+        Self { surface, grid_points, walk: Walk::default(), model, corners: Vec::new(), visited_count: 0 }
     }
 
     /// Codes one batch in which `choose` selects the splits. Returns the decoded splits; they are applied
@@ -48,14 +47,8 @@ impl TestRefiner {
             let actual = choose(&split_context, vertex);
             self.corners = self.surface.ring(vertex).collect();
             let ring = (vertex, self.corners.as_slice());
-            let cut = if self.model.is_thorough() {
-                self.model.code(coder, &split_context, ring, actual)
-            } else if self.model.flag(coder, vertex, actual.is_some()) {
-                self.model.cut(coder, &split_context, ring, actual)
-            } else {
-                None
-            };
-            self.walk.record_visit(&self.surface, vertex, &self.corners, cut.is_some());
+            let cut = self.model.code(coder, &split_context, ring, actual);
+            self.walk.record_visit(vertex, cut.is_some());
             self.visited_count += 1;
             for corner in cut.into_iter().flat_map(|cut| run(&self.surface, cut)).collect::<Vec<_>>() {
                 self.surface.set_mark(triangle_of(corner), self.walk.batch());
@@ -67,6 +60,7 @@ impl TestRefiner {
     fn split(&mut self, cuts: &[Cut]) {
         for &cut in cuts {
             let patch = run(&self.surface, cut);
+            self.walk.record_split(self.surface.vertex(patch[0]));
             let v = self.surface.split(&patch);
             let made = self.surface.triangle_count() as u32;
             (made - 2..made).for_each(|t| self.surface.set_mark(t, self.walk.batch()));
@@ -139,9 +133,9 @@ struct EncodedSplits {
     refiner: TestRefiner,
 }
 
-fn write(surface: &Surface, grid_points: &[[i32; 3]], effort: Effort, seed: u64) -> EncodedSplits {
+fn write(surface: &Surface, grid_points: &[[i32; 3]], seed: u64) -> EncodedSplits {
     let mut random = Random::new(seed);
-    let mut refiner = TestRefiner::new(surface.clone(), grid_points.to_vec(), effort);
+    let mut refiner = TestRefiner::new(surface.clone(), grid_points.to_vec());
     let mut writer = RangeWriter::new();
     let batches = (0..7)
         .map(|_| {
@@ -157,36 +151,31 @@ fn random_splits_round_trip() {
         [double_cone(20), shapes::torus(9, 6, 1.0, 0.4), shapes::grid(6, 5), shapes::icosphere(1, 1.0)];
     for (seed, mesh) in meshes.iter().enumerate() {
         let (surface, grid_points) = closed(mesh);
-        for effort in [Effort::Default, Effort::Small] {
-            let EncodedSplits { bytes, batches, refiner } =
-                write(&surface, &grid_points, effort, seed as u64);
-            assert!(batches.iter().all(|batch| batch.len() > 2), "almost no vertex splits");
-            assert!(batches.iter().flatten().any(|cut| cut.length as usize > MAX_RUN) || seed > 0);
-            let mut reader = RangeReader::new(&bytes, true);
-            let mut other = TestRefiner::new(surface.clone(), grid_points.clone(), effort);
-            for batch in &batches {
-                assert_eq!(&other.batch(&mut reader, |_, _| None), batch, "{effort:?}");
-            }
-            assert_eq!(other.visited_count, refiner.visited_count);
+        let EncodedSplits { bytes, batches, refiner } = write(&surface, &grid_points, seed as u64);
+        assert!(batches.iter().all(|batch| batch.len() > 2), "almost no vertex splits");
+        assert!(batches.iter().flatten().any(|cut| cut.length as usize > MAX_RUN) || seed > 0);
+        let mut reader = RangeReader::new(&bytes, true);
+        let mut other = TestRefiner::new(surface.clone(), grid_points.clone());
+        for batch in &batches {
+            assert_eq!(&other.batch(&mut reader, |_, _| None), batch);
         }
+        assert_eq!(other.visited_count, refiner.visited_count);
     }
 }
 
 #[test]
 fn histories_match_the_surface() {
     let (surface, grid_points) = closed(&shapes::grid(6, 5));
-    for effort in [Effort::Default, Effort::Small] {
-        let EncodedSplits { refiner, .. } = write(&surface, &grid_points, effort, 8);
-        for vertex in refiner.surface.virtual_count()..refiner.surface.vertex_count() as u32 {
-            let valence = refiner.surface.ring(vertex).count();
-            let free = refiner.surface.ring(vertex);
-            let free = free.filter(|&c| refiner.surface.mark(triangle_of(c)) != refiner.walk.batch()).count();
-            let vertex_history = refiner.model.history.of(vertex);
-            assert_eq!(usize::from(vertex_history.valence), valence, "valence of {vertex}");
-            // The free triangles of vertices that split are not tracked any more in the batch.
-            if vertex_history.since_split > 0 {
-                assert_eq!(usize::from(vertex_history.free), free, "free triangles of {vertex}");
-            }
+    let EncodedSplits { refiner, .. } = write(&surface, &grid_points, 8);
+    for vertex in refiner.surface.virtual_count()..refiner.surface.vertex_count() as u32 {
+        let valence = refiner.surface.ring(vertex).count();
+        let free = refiner.surface.ring(vertex);
+        let free = free.filter(|&c| refiner.surface.mark(triangle_of(c)) != refiner.walk.batch()).count();
+        let vertex_history = refiner.model.history.of(vertex);
+        assert_eq!(usize::from(vertex_history.valence), valence, "valence of {vertex}");
+        // The free triangles of vertices that split are not tracked any more in the batch.
+        if vertex_history.since_split > 0 {
+            assert_eq!(usize::from(vertex_history.free), free, "free triangles of {vertex}");
         }
     }
 }
@@ -194,11 +183,8 @@ fn histories_match_the_surface() {
 #[test]
 fn streams_are_the_same_on_every_machine() {
     let (surface, grid_points) = closed(&shapes::grid(9, 7));
-    let found = [Effort::Default, Effort::Small].map(|effort| {
-        let EncodedSplits { bytes, .. } = write(&surface, &grid_points, effort, 3);
-        (bytes.len(), crc32fast::hash(&bytes))
-    });
-    assert_eq!(found, [(217, 131_253_625), (204, 4_022_687_919)]);
+    let EncodedSplits { bytes, .. } = write(&surface, &grid_points, 3);
+    assert_eq!((bytes.len(), crc32fast::hash(&bytes)), (211, 99_952_167));
 }
 
 #[test]
@@ -209,21 +195,18 @@ fn arbitrary_bytes_split_any_surface() {
     let far = [1 << 24, -(1 << 24), 0, i32::MAX, i32::MIN];
     let mut random = Random::new(77);
     for (at, surface) in [pillow, holes, grid].into_iter().enumerate() {
-        for effort in [Effort::Default, Effort::Small] {
-            for _ in 0..20 {
-                let bytes: Vec<u8> = (0..400).map(|_| random.next_u64() as u8).collect();
-                let mut grid_points = grid_points.clone();
-                if at < 2 || random.below(2) == 0 {
-                    let mut number = || far[random.below(5) as usize];
-                    grid_points =
-                        (0..surface.vertex_count()).map(|_| [number(), number(), number()]).collect();
-                }
-                let mut reader = RangeReader::new(&bytes, true);
-                let mut refiner = TestRefiner::new(surface.clone(), grid_points, effort);
-                for _ in 0..6 {
-                    for cut in refiner.batch(&mut reader, |_, _| None) {
-                        assert!((1..=MAX_PATCH).contains(&cut.length));
-                    }
+        for _ in 0..20 {
+            let bytes: Vec<u8> = (0..400).map(|_| random.next_u64() as u8).collect();
+            let mut grid_points = grid_points.clone();
+            if at < 2 || random.below(2) == 0 {
+                let mut number = || far[random.below(5) as usize];
+                grid_points = (0..surface.vertex_count()).map(|_| [number(), number(), number()]).collect();
+            }
+            let mut reader = RangeReader::new(&bytes, true);
+            let mut refiner = TestRefiner::new(surface.clone(), grid_points);
+            for _ in 0..6 {
+                for cut in refiner.batch(&mut reader, |_, _| None) {
+                    assert!((1..=MAX_PATCH).contains(&cut.length));
                 }
             }
         }
@@ -234,7 +217,7 @@ fn arbitrary_bytes_split_any_surface() {
 fn regular_splits_become_cheap() {
     // Every vertex with an even index loses the two triangles at its longest edge.
     let (surface, grid_points) = closed(&shapes::torus(40, 20, 1.0, 0.4));
-    let mut refiner = TestRefiner::new(surface, grid_points, Effort::Small);
+    let mut refiner = TestRefiner::new(surface, grid_points);
     let mut writer = RangeWriter::new();
     let cuts = refiner.batch(&mut writer, |split_context, vertex| {
         let corners: Vec<u32> = split_context.surface.ring(vertex).collect();
@@ -258,7 +241,7 @@ fn regular_splits_become_cheap() {
 #[test]
 fn histories_follow_renumbered_vertices() {
     let (surface, grid_points) = closed(&shapes::grid(6, 5));
-    let EncodedSplits { mut refiner, .. } = write(&surface, &grid_points, Effort::Default, 8);
+    let EncodedSplits { mut refiner, .. } = write(&surface, &grid_points, 8);
     let count = refiner.surface.vertex_count() as u32;
     let history = &mut refiner.model.history;
     history.begin_batch(&refiner.surface);

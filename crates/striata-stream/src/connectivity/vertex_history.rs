@@ -15,33 +15,17 @@ pub(super) struct VertexHistory {
     pub(super) free: u8,
     /// Number of neighbors that split in this batch.
     pub(super) neighbor_splits: u8,
-    /// Number of neighbors that split in the previous batch.
-    pub(super) last_neighbor_splits: u8,
     /// Number of batches since it last split, up to 3.
     pub(super) since_split: u8,
     /// Share of splits among recent flags around it, in 1/256; earlier flags weigh less.
     pub(super) density: u8,
-    /// Length around it when last measured: binary logarithm of the square, in 1/16.
-    pub(super) length: u8,
-    /// Height around it when last measured: binary logarithm of the square, in 1/16.
-    pub(super) height: u8,
 }
 
 impl VertexHistory {
-    const NEW: Self = Self {
-        valence: 6,
-        free: 6,
-        neighbor_splits: 0,
-        last_neighbor_splits: 0,
-        since_split: 3,
-        density: 40,
-        length: 0,
-        height: 0,
-    };
+    const NEW: Self = Self { valence: 6, free: 6, neighbor_splits: 0, since_split: 3, density: 40 };
 
     fn begin_batch(&mut self) {
         self.free = self.valence;
-        self.last_neighbor_splits = self.neighbor_splits;
         self.neighbor_splits = 0;
         self.since_split = (self.since_split + 1).min(3);
     }
@@ -57,17 +41,6 @@ pub(super) struct VertexHistories {
     is_renumbered: bool,
     /// Recent share of splits among all flags, in 1/65536.
     recent_share: i32,
-}
-
-/// Packs a logarithm into a byte.
-#[inline]
-fn to_byte(logarithm: i32) -> u8 {
-    ((logarithm + 512) >> 4).clamp(0, 255) as u8
-}
-
-#[inline]
-fn mean(a: u8, b: u8) -> u8 {
-    (u16::from(a) + u16::from(b)).div_ceil(2) as u8
 }
 
 impl VertexHistories {
@@ -138,16 +111,11 @@ impl VertexHistories {
     /// vertices around it.
     pub(super) fn record_split(&mut self, vertex: u32, ring: &Ring, (first, cut_length): (usize, usize)) {
         let n = ring.spokes.len();
-        let (length, height) = (to_byte(ring.grid_length()), to_byte(ring.height));
         for spoke in ring.spokes.iter().filter(|spoke| !spoke.is_virtual) {
             let Some(vertex_history) = self.vertices.get_mut(spoke.vertex as usize) else { continue };
             vertex_history.neighbor_splits = vertex_history.neighbor_splits.saturating_add(1);
             vertex_history.density =
                 vertex_history.density.saturating_add((255 - vertex_history.density) / 4);
-            vertex_history.length =
-                if vertex_history.length == 0 { length } else { mean(vertex_history.length, length) };
-            vertex_history.height =
-                if vertex_history.height == 0 { height } else { mean(vertex_history.height, height) };
         }
         for k in 0..=cut_length {
             let spoke = &ring.spokes[(first + k) % n];
@@ -164,10 +132,9 @@ impl VertexHistories {
             vertex_history.since_split = 0;
             vertex_history.valence =
                 (usize::from(vertex_history.valence) + 2).saturating_sub(cut_length).min(255) as u8;
-            (vertex_history.length, vertex_history.height) = (length, height);
             density = vertex_history.density;
         }
         let valence = (cut_length + 2).min(255) as u8;
-        self.vertices.push(VertexHistory { valence, free: 0, density, length, height, ..VertexHistory::NEW });
+        self.vertices.push(VertexHistory { valence, free: 0, density, ..VertexHistory::NEW });
     }
 }

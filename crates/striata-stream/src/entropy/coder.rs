@@ -2,12 +2,9 @@
 
 /// Number of symbols in an alphabet.
 pub const SYMBOLS: usize = 16;
-/// Cumulative shares of the symbols, in 1/65536: entry `i` is where the share of symbol `i` begins; the
-/// first is 0.
-pub type Shares = [i32; SYMBOLS];
 /// Cumulative shares of the symbols, in 1/32768: entry `i` is where the share of symbol `i` begins; the
 /// first is 0.
-pub type QuickShares = [i16; SYMBOLS];
+pub type Shares = [i16; SYMBOLS];
 
 /// Kind of data that a bit describes, for the writer's statistics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,9 +42,6 @@ pub trait Coder {
 
     /// Codes and returns one of sixteen symbols; `begins` are the cumulative shares.
     fn symbol(&mut self, actual: usize, begins: &Shares) -> usize;
-
-    /// Codes and returns one of sixteen symbols; `begins` are the cumulative shares.
-    fn quick_symbol(&mut self, actual: usize, begins: &QuickShares) -> usize;
 
     /// Whether a reader needed bytes beyond the end, so that the value returned last is meaningless.
     fn overran(&self) -> bool;

@@ -14,8 +14,7 @@
 //! | `logistic.rs` | conversion between probabilities and log-odds, by integer tables |
 //! | `mixer.rs` | `Mixer`: online mixing of predictions; `ProbabilityMap`: correction of the result |
 //! | `wide_mixer.rs` | `WideMixer`: a mixer in 16-bit lanes |
-//! | `symbol.rs` | `AdaptiveSymbol`: one of sixteen symbols |
-//! | `quick_symbol.rs` | `QuickSymbol`: one of sixteen symbols, in 16-bit lanes |
+//! | `symbol.rs` | [`AdaptiveSymbol`]: one of sixteen symbols |
 //! | `number.rs` | [`AdaptiveNumber`]: integers of any size |
 //! | `quick_number.rs` | [`QuickNumber`]: integers of any size, with few operations |
 //! | `mixed_number.rs` | `MixedNumber`: integers predicted by several contexts |
@@ -27,20 +26,18 @@ mod mixed_number;
 mod mixer;
 mod number;
 mod quick_number;
-mod quick_symbol;
 mod range;
 mod symbol;
 mod wide_mixer;
 
 pub use adaptive::{AdaptiveBit, Rate};
-pub use coder::{Coder, PART_COUNT, Part, QuickShares, SYMBOLS, Shares};
-pub(crate) use logistic::{log_odds, log2_q8, log2_q16, probability};
+pub use coder::{Coder, PART_COUNT, Part, SYMBOLS, Shares};
+pub(crate) use logistic::{log_odds, log2_q8, log2_q16};
 pub(crate) use mixed_number::MixedNumber;
 pub(crate) use mixer::{Mixer, ProbabilityMap};
 pub use number::{AdaptiveNumber, code_uniform};
 pub use quick_number::QuickNumber;
-pub use quick_symbol::QuickSymbol;
-pub(crate) use quick_symbol::{code_by_two, code_shares};
 pub use range::{RangeReader, RangeWriter};
-pub(crate) use symbol::{AdaptiveSymbol, code_symbol};
+pub use symbol::AdaptiveSymbol;
+pub(crate) use symbol::{code_by_two, code_shares};
 pub(crate) use wide_mixer::WideMixer;

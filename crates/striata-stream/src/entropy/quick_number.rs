@@ -6,7 +6,7 @@
 
 use super::adaptive::{AdaptiveBit, Rate};
 use super::coder::Coder;
-use super::quick_symbol::QuickSymbol;
+use super::symbol::AdaptiveSymbol;
 
 /// Symbol of integers with at least this many bits; their size follows raw.
 const LARGE: u32 = 15;
@@ -25,7 +25,7 @@ pub struct QuickNumber {
 /// The probabilities of one context.
 #[derive(Clone, Copy, Debug)]
 struct Context {
-    size: QuickSymbol,
+    size: AdaptiveSymbol,
     /// The bit below the leading one, for each size.
     second: [AdaptiveBit; LARGE as usize + 1],
 }
@@ -33,7 +33,7 @@ struct Context {
 impl QuickNumber {
     /// Creates an untrained model with `context_count` contexts.
     pub fn new(context_count: usize, rate: Rate) -> Self {
-        let context = Context { size: QuickSymbol::new(16), second: [AdaptiveBit::new(rate); 16] };
+        let context = Context { size: AdaptiveSymbol::new(16), second: [AdaptiveBit::new(rate); 16] };
         let last_shift = if rate == Rate::Quick { 5 } else { 7 };
         Self { contexts: vec![context; context_count.max(1)], last_shift }
     }

@@ -10,9 +10,9 @@
 //! complete. If they are, zeros follow. If they are truncated, it reports an overrun at the first decision
 //! that the missing bytes could change.
 
-use super::coder::{Coder, PART_COUNT, Part, QuickShares, Shares};
+use super::coder::{Coder, PART_COUNT, Part, Shares};
 use super::logistic::log2_q16;
-use super::quick_symbol::symbol_at;
+use super::symbol::symbol_at;
 
 /// The interval is shifted as soon as its width is below this.
 const MIN_RANGE: u64 = 1 << 32;
@@ -140,13 +140,6 @@ impl Coder for RangeWriter {
 
     #[inline]
     fn symbol(&mut self, actual: usize, begins: &Shares) -> usize {
-        let end = begins.get(actual + 1).map(|&end| end as u64);
-        self.narrow(self.range >> 16, (begins[actual] as u64, end));
-        actual
-    }
-
-    #[inline]
-    fn quick_symbol(&mut self, actual: usize, begins: &QuickShares) -> usize {
         let end = begins.get(actual + 1).map(|&end| end as u64);
         self.narrow(self.range >> 15, (begins[actual] as u64, end));
         actual
@@ -291,18 +284,6 @@ impl Coder for RangeReader<'_> {
 
     #[inline]
     fn symbol(&mut self, _: usize, begins: &Shares) -> usize {
-        let unit = self.range >> 16;
-        // The remainder that rounding leaves at the top belongs to the last symbol.
-        let value = (self.value / unit).min(65_535) as i32;
-        let above = begins.iter().map(|&begin| i32::from(begin <= value)).sum::<i32>() as usize;
-        let symbol = above.saturating_sub(1);
-        let end = begins.get(symbol + 1).map(|&end| end as u64);
-        self.narrow(unit, (begins[symbol] as u64, end));
-        symbol
-    }
-
-    #[inline]
-    fn quick_symbol(&mut self, _: usize, begins: &QuickShares) -> usize {
         let unit = self.range >> 15;
         // The remainder that rounding leaves at the top belongs to the last symbol.
         let symbol = symbol_at(begins, (self.value / unit).min(32_767) as i16);

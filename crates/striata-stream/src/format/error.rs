@@ -15,12 +15,15 @@ pub enum DecodeError {
         /// The first bytes, at most 8.
         found: Vec<u8>,
     },
-    /// This reader does not know the stream's version.
-    #[error("format version {found}, but this reader knows up to {supported}")]
+    /// The stream has a format version that this reader does not support.
+    #[error(
+        "the stream has format version {found}, but this reader supports only version {supported}{}",
+        if .found < .supported { "; an older version of striata made it, so it must be encoded again" } else { "" }
+    )]
     Version {
-        /// The stream's version.
+        /// Version of the stream.
         found: u32,
-        /// The latest version that this reader supports.
+        /// Supported version.
         supported: u32,
     },
     /// The stream is longer than its header says, or ends within the header.

@@ -2,11 +2,11 @@
 //!
 //! ```text
 //! 0   4 bytes  89 53 54 52
-//! 4   u8       version, 1 or 2
+//! 4   u8       version, 2
 //! 5   u8       effort
-//! 6   u16      flags; bit 0: positions are exact; bit 1, from version 2 on: there are general batches;
+//! 6   u16      flags; bit 0: positions are exact; bit 1: there are general batches;
 //!              bit 2: positions have an origin, three f64 after the grid;
-//!              bit 3, from version 2 on: data of triangles follow the chunks
+//!              bit 3: data of triangles follow the chunks
 //! 8   u32      length of the header, including these 16 bytes
 //! 12  u32      CRC-32 of the header without this field
 //! 16           counts, grid, layers, groups, appearance, metadata, chunks, data of triangles
@@ -16,14 +16,14 @@ use striata::file::{EncodeError, STREAM_MAGIC, appearance_from_bytes, appearance
 use striata::mesh::Appearance;
 
 use crate::format::byte_reader::{ByteReader, put_block, write_varint};
+use crate::format::effort::Effort;
 use crate::format::error::{DecodeError, StreamDefect};
 use crate::format::grid::PositionGrid;
-use crate::format::version::{Effort, StreamVersion};
 use crate::layers::form::{LayerForm, Transform};
 use crate::layers::triangle_data::TriangleData;
 
-/// Newest version that can be read.
-const NEWEST_VERSION: u8 = 2;
+/// The version that is written, and the only one that can be read.
+const VERSION: u8 = 2;
 /// Length of the fixed first part of the header, bytes.
 pub(crate) const FIXED_HEADER_BYTES: usize = 16;
 const EXACT_FLAG: u16 = 1;
@@ -83,7 +83,6 @@ pub(crate) struct ChunkEntry {
 pub(crate) struct StreamHeader {
     /// Length of the header, bytes.
     pub(crate) length: u64,
-    pub(crate) version: StreamVersion,
     pub(crate) effort: Effort,
     /// Whether corrections are stored, so that positions are bit for bit the floats of the mesh.
     pub(crate) is_exact: bool,
@@ -119,15 +118,15 @@ fn error_from_code(code: u16) -> f32 {
 /// Returns the length of a header from its first bytes, or `None` if there are too few of them.
 ///
 /// # Errors
-/// [`DecodeError`] if the bytes do not begin a stream of a known version.
+/// [`DecodeError`] if the bytes do not begin a stream of the known version.
 pub(crate) fn header_length(bytes: &[u8]) -> Result<Option<usize>, DecodeError> {
     let shown = bytes.len().min(4);
     if bytes[..shown] != STREAM_MAGIC[..shown] {
         return Err(DecodeError::Magic { found: bytes[..bytes.len().min(8)].to_vec() });
     }
     let Some(fixed) = bytes.get(..FIXED_HEADER_BYTES) else { return Ok(None) };
-    if version_from_byte(fixed[4]).is_none() {
-        let (found, supported) = (u32::from(fixed[4]), u32::from(NEWEST_VERSION));
+    if fixed[4] != VERSION {
+        let (found, supported) = (u32::from(fixed[4]), u32::from(VERSION));
         return Err(DecodeError::Version { found, supported });
     }
     let length = u32::from_le_bytes([fixed[8], fixed[9], fixed[10], fixed[11]]) as usize;
@@ -136,14 +135,6 @@ pub(crate) fn header_length(bytes: &[u8]) -> Result<Option<usize>, DecodeError> 
         return Err(DecodeError::Malformed { offset: 8, reason });
     }
     Ok(Some(length))
-}
-
-fn version_from_byte(byte: u8) -> Option<StreamVersion> {
-    match byte {
-        1 => Some(StreamVersion::One),
-        2 => Some(StreamVersion::Two),
-        _ => None,
-    }
 }
 
 fn checksum(header: &[u8]) -> u32 {
@@ -165,7 +156,7 @@ impl StreamHeader {
             Effort::Default => 1,
             Effort::Small => 2,
         };
-        out.extend([self.version.number(), effort]);
+        out.extend([VERSION, effort]);
         let has_origin = self.origin != [0.0; 3];
         let flags = [
             (self.is_exact, EXACT_FLAG),
@@ -243,7 +234,8 @@ impl StreamHeader {
             return Err(DecodeError::HeaderChecksum { found, expected });
         }
         let mut reader = ByteReader::new(bytes);
-        let version = version_from_byte(reader.bytes(5)?[4]).unwrap_or_default();
+        // Magic and version, which `header_length` has checked.
+        reader.bytes(5)?;
         let effort = match reader.u8()? {
             0 => Effort::Fast,
             1 => Effort::Default,
@@ -252,8 +244,7 @@ impl StreamHeader {
         };
         let flags = reader.bytes(2)?;
         let flags = u16::from_le_bytes([flags[0], flags[1]]);
-        let since_two = if version == StreamVersion::One { 0 } else { GENERAL_FLAG | TRIANGLE_DATA_FLAG };
-        if flags & !(EXACT_FLAG | ORIGIN_FLAG | since_two) != 0 {
+        if flags & !(EXACT_FLAG | GENERAL_FLAG | ORIGIN_FLAG | TRIANGLE_DATA_FLAG) != 0 {
             return Err(reader.malformed("unknown flags"));
         }
         reader.bytes(8)?;
@@ -297,7 +288,6 @@ impl StreamHeader {
         reader.end()?;
         Ok(Self {
             length: bytes.len() as u64,
-            version,
             effort,
             is_exact: flags & EXACT_FLAG != 0,
             has_general: flags & GENERAL_FLAG != 0,

@@ -1,8 +1,8 @@
 //! [`StreamInfo`]: properties of a stream that can be read from its header alone.
 
+use crate::format::effort::Effort;
 use crate::format::error::DecodeError;
 use crate::format::header::{ChunkEntry, StreamHeader, header_length};
-use crate::format::version::{Effort, StreamVersion};
 
 /// Counts, sizes and settings of a stream, read from its header without decoding anything.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -18,8 +18,6 @@ pub struct StreamInfo {
     pub chunk_count: usize,
     /// Compression effort that the stream was encoded with.
     pub effort: Effort,
-    /// Version of the stream format.
-    pub version: StreamVersion,
     /// Whether positions are lossless: bit for bit the floats of the encoded mesh.
     pub is_exact: bool,
     /// Bits per coordinate of the position grid.
@@ -62,7 +60,7 @@ impl StreamInfo {
     /// Reads the header of a stream; returns `None` if `bytes` ends within the header.
     ///
     /// # Errors
-    /// [`DecodeError`] if the bytes are not a stream of a known version, or if the header is damaged.
+    /// [`DecodeError`] if the bytes are not a stream of the known version, or if the header is damaged.
     pub fn read(bytes: &[u8]) -> Result<Option<Self>, DecodeError> {
         let Some(header) = header_length(bytes)?.and_then(|length| bytes.get(..length)) else {
             return Ok(None);
@@ -86,7 +84,6 @@ impl StreamInfo {
             base_bytes: header.length + base_bytes,
             chunk_count: header.chunks.len(),
             effort: header.effort,
-            version: header.version,
             is_exact: header.is_exact,
             grid_bits: header.grid.bits,
             grid_step: header.grid.step,

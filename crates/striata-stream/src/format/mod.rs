@@ -2,8 +2,8 @@
 //!
 //! | file | what it does |
 //! | --- | --- |
-//! | `version.rs` | [`Effort`](version::Effort) and [`StreamVersion`](version::StreamVersion) |
 //! | `header.rs` | the header of a stream |
+//! | `effort.rs` | [`Effort`](effort::Effort) |
 //! | `grid.rs` | the grid of positions |
 //! | `byte_reader.rs` | reading and writing header fields |
 //! | `info.rs` | properties of a stream, read from its header |
@@ -11,9 +11,9 @@
 //! | `files.rs` | streams in `.striata` files |
 
 pub(crate) mod byte_reader;
+pub(crate) mod effort;
 pub(crate) mod error;
 pub(crate) mod files;
 pub(crate) mod grid;
 pub(crate) mod header;
 pub(crate) mod info;
-pub(crate) mod version;

@@ -2,7 +2,7 @@
 
 use crate::base::neighborhoods::BaseNeighborhoods;
 use crate::entropy::Coder;
-use crate::format::version::{Effort, StreamVersion};
+use crate::format::effort::Effort;
 use crate::layers::form::LayerForm;
 use crate::layers::layer_neighborhood::{LayerNeighborhood, LayerValues};
 use crate::layers::model::LayerModel;
@@ -27,7 +27,6 @@ pub(crate) struct Attributes {
     by_wedge: Vec<(u32, u32)>,
     /// Number of its entries that have been used.
     wedge_end: usize,
-    version: StreamVersion,
 }
 
 /// The vertices around a vertex, and the affine fit to their positions.
@@ -96,15 +95,14 @@ pub(crate) fn actual_layers(
 
 impl Attributes {
     /// Creates layers without vertices, or `None` if there are no layers.
-    pub(crate) fn new(forms: &[LayerForm], parameters: (Effort, StreamVersion)) -> Option<Self> {
+    pub(crate) fn new(forms: &[LayerForm], effort: Effort) -> Option<Self> {
         (!forms.is_empty()).then(|| Self {
-            model: LayerModel::new(forms, parameters),
+            model: LayerModel::new(forms, effort),
             values: forms.iter().map(|form| LayerValues::new(form.integer_count())).collect(),
             own: FittedRing::default(),
             whole: FittedRing::default(),
             by_wedge: Vec::new(),
             wedge_end: 0,
-            version: parameters.1,
         })
     }
 
@@ -119,8 +117,7 @@ impl Attributes {
         self.model.truncate(vertex_count);
     }
 
-    /// Codes vertex `wedge` of a position of the base mesh. Version 1 predicts it only from the preceding
-    /// vertex.
+    /// Codes vertex `wedge` of a position of the base mesh.
     pub(crate) fn base_vertex<C: Coder>(
         &mut self,
         coder: &mut C,
@@ -130,11 +127,9 @@ impl Attributes {
     ) {
         let before = vertex.checked_sub(1);
         let FittedRing { fit, ring, grid_points } = &mut self.own;
-        if self.version > StreamVersion::One {
-            let normal = neighborhoods.gather(vertex, ring, grid_points);
-            fit.measure(grid_point, grid_points, false);
-            fit.normal = normal;
-        }
+        let normal = neighborhoods.gather(vertex, ring, grid_points);
+        fit.measure(grid_point, grid_points, false);
+        fit.normal = normal;
         let mut neighborhood = LayerNeighborhood::new(ring.first().copied().or(before), ring, fit);
         neighborhood.sibling_count = wedge;
         neighborhood.is_base = true;
@@ -152,14 +147,11 @@ impl Attributes {
         let shown = split_wedges.wedges.iter().zip(0..).filter(|(wedge, _)| **wedge != NONE);
         self.by_wedge.extend(shown.map(|(&wedge, at)| (wedge, at)));
         self.by_wedge.sort_unstable();
-        if self.version > StreamVersion::One {
-            let last = split_wedges.wedges.len() - 1;
-            let corners = (0..split_wedges.wedges.len())
-                .filter(|at| split_wedges.wedges[*at] != NONE)
-                .take(MOST_CORNERS);
-            let is_closed = self.whole.gather(around, corners, last);
-            self.whole.fit.measure(grid_point, &self.whole.grid_points, is_closed);
-        }
+        let last = split_wedges.wedges.len() - 1;
+        let corners =
+            (0..split_wedges.wedges.len()).filter(|at| split_wedges.wedges[*at] != NONE).take(MOST_CORNERS);
+        let is_closed = self.whole.gather(around, corners, last);
+        self.whole.fit.measure(grid_point, &self.whole.grid_points, is_closed);
     }
 
     /// Codes a vertex of a new position.
@@ -180,7 +172,7 @@ impl Attributes {
         } else {
             self.own.gather(around, 0..=last, last)
         };
-        let is_hidden = has_several && self.version > StreamVersion::One && self.own.ring.is_empty();
+        let is_hidden = has_several && self.own.ring.is_empty();
         let neighborhood = if is_hidden {
             LayerNeighborhood { is_hidden, ..self.whole.neighborhood(target) }
         } else {
@@ -188,7 +180,7 @@ impl Attributes {
             self.own.neighborhood(target)
         };
         let neighborhood = match around.split_wedges {
-            Some(split_wedges) if has_several && self.version > StreamVersion::One => LayerNeighborhood {
+            Some(split_wedges) if has_several => LayerNeighborhood {
                 sibling_count: wedge,
                 sibling_target: wedge.checked_sub(1).map(|before| split_wedges.targets[before as usize]),
                 whole: Some((&self.whole.ring, &self.whole.fit)),

@@ -8,7 +8,7 @@
 //! usually best; if not, the mean is.
 
 use crate::entropy::{AdaptiveBit, Coder, Rate};
-use crate::format::version::{Effort, StreamVersion};
+use crate::format::effort::Effort;
 use crate::layers::directions::{Octahedron, scaled};
 use crate::layers::history::LayerHistory;
 use crate::layers::layer_neighborhood::{BASE_KIND, KINDS, LayerNeighborhood, LayerValues};
@@ -21,9 +21,9 @@ pub(crate) const UNIT_BITS: u32 = 15;
 /// Fraction bits of a reciprocal.
 const RECIPROCAL_BITS: u32 = 44;
 
-/// Number of predictions that compete if the position has one vertex.
+/// Number of predictions that compete in the base mesh.
 const CANDIDATES: usize = 10;
-/// Number of predictions from version 2 on, which adds a learned sum.
+/// Number of predictions with a learned sum, which compete if the position has one vertex.
 const SUMMED_CANDIDATES: usize = CANDIDATES + 1;
 /// Maximum number of predictions, reached if the position has several vertices.
 const MOST_CANDIDATES: usize = SUMMED_CANDIDATES + 4;
@@ -57,10 +57,8 @@ pub(crate) struct DirectionModel {
     /// By kind of vertex and conflict class of two octaves.
     selectors: Vec<PredictorSelector<MOST_CANDIDATES>>,
     residuals: Residuals,
-    /// Running average of recent residuals, in 1/16; only for version 1.
-    recent: u64,
-    /// Residuals and copies of earlier vertices; from version 2 on.
-    history: Option<LayerHistory>,
+    /// Residuals and copies of earlier vertices.
+    history: LayerHistory,
     /// Weights of the learned sums, one set for each selector.
     sums: Vec<LeastSquares<TERMS>>,
     coded_count: u32,
@@ -131,7 +129,7 @@ impl Estimates {
         Self { target, mean, affine, geometric, mirrored, near, spread }
     }
 
-    /// Returns the predictions of version 1 in the order of their indices.
+    /// Returns the predictions of a vertex on its own in the order of their indices.
     fn candidates(&self) -> [[i64; 3]; CANDIDATES] {
         let sum = |geometric: i64, mirrored: i64, mean: i64| -> [i64; 3] {
             std::array::from_fn(|a| {
@@ -172,7 +170,7 @@ struct Prediction {
 }
 
 impl Prediction {
-    /// Returns the predictions of version 1.
+    /// Returns the predictions of a vertex on its own, without a learned sum.
     fn of(
         grid: Octahedron,
         values: &LayerValues,
@@ -260,13 +258,12 @@ impl Prediction {
 
 impl DirectionModel {
     /// Creates an untrained model for integers with this number of bits.
-    pub(crate) fn new(bits: u32, has_sign: bool, parameters: (Effort, StreamVersion)) -> Self {
+    pub(crate) fn new(bits: u32, has_sign: bool, effort: Effort) -> Self {
         Self {
             grid: Octahedron::new(bits),
-            selectors: vec![PredictorSelector::new(parameters.1); KINDS * CONFLICTS],
-            residuals: Residuals::new(parameters, 2),
-            recent: 0,
-            history: (parameters.1 > StreamVersion::One).then(LayerHistory::new),
+            selectors: vec![PredictorSelector::new(); KINDS * CONFLICTS],
+            residuals: Residuals::new(effort, 2),
+            history: LayerHistory::new(),
             sums: (0..KINDS * CONFLICTS)
                 .map(|selector| {
                     LeastSquares::new(if selector < CONFLICTS { FIRST_WEIGHTS } else { [0; TERMS] })
@@ -286,14 +283,12 @@ impl DirectionModel {
         (neighborhood, geometric): (&LayerNeighborhood<'_>, [i64; 3]),
         actual: Option<&[i32]>,
     ) {
-        if let Some(history) = &mut self.history
-            && let Some(vertex) = history.code_copy(coder, values, neighborhood, actual)
-        {
+        if let Some(vertex) = self.history.code_copy(coder, values, neighborhood, actual) {
             values.copy(vertex);
-            history.record_copy();
+            self.history.record_copy();
             return;
         }
-        let kind = if self.history.is_some() { neighborhood.kind() } else { 0 };
+        let kind = neighborhood.kind();
         let prediction = self.prediction(values, (neighborhood, geometric), kind);
         let best = self.selectors[prediction.selector(kind)].best(prediction.count);
         let predicted = self.grid.point(prediction.candidates[best]);
@@ -321,7 +316,7 @@ impl DirectionModel {
             prediction.add_position(self.grid, values, (neighborhood, &estimates));
         }
         // Too little is known around vertices of the base mesh to learn a sum.
-        if self.history.is_some() && kind != BASE_KIND {
+        if kind != BASE_KIND {
             prediction.add_sum(kind, &self.sums);
         }
         prediction
@@ -335,12 +330,12 @@ impl DirectionModel {
         (prediction, predicted): (&Prediction, [i32; 2]),
         off: [i32; 2],
     ) -> [i32; 2] {
-        let lately = match &self.history {
-            Some(history) => history.scale_around(neighborhood),
-            None => scale_of(self.recent),
-        };
         let ring = scale_of(1 << (neighborhood.ring.len() / 2).min(16));
-        let scales = [scale_of(prediction.spread), scale_of(prediction.conflict), lately];
+        let scales = [
+            scale_of(prediction.spread),
+            scale_of(prediction.conflict),
+            self.history.scale_around(neighborhood),
+        ];
         let [a, b, c] = scales;
         let others = if self.residuals.looks_at_others() {
             prediction
@@ -356,10 +351,7 @@ impl DirectionModel {
         let expected = Expected { scales: [a, b, c, first], others: others[1] };
         let y = self.residuals.signed(coder, 2 * kind + 1, expected, off[1]);
         let size = u64::from(x.unsigned_abs()) + u64::from(y.unsigned_abs());
-        self.recent = (7 * self.recent + 8 * size) / 8;
-        if let Some(history) = &mut self.history {
-            history.record_residual(size);
-        }
+        self.history.record_residual(size);
         [x, y]
     }
 
@@ -387,9 +379,7 @@ impl DirectionModel {
 
     /// Removes the history of all but the first vertices.
     pub(crate) fn truncate(&mut self, vertex_count: usize) {
-        if let Some(history) = &mut self.history {
-            history.truncate(vertex_count);
-        }
+        self.history.truncate(vertex_count);
     }
 }
 

@@ -2,16 +2,16 @@
 //!
 //! For each layer there are a few predictions (the target's value, the ring's mean, its affine fit, and
 //! for normals also the geometry), and the model uses the one that did best recently. The residual is
-//! coded in the context of how far the ring's values spread around the prediction. From version 2 on,
-//! exact copies are coded first ([`LayerHistory`](crate::layers::history::LayerHistory)). Joints are
-//! labels, which mostly equal a neighbor's; weights follow the joints that they belong to.
+//! coded in the context of how far the ring's values spread around the prediction. Exact copies are coded
+//! first ([`LayerHistory`](crate::layers::history::LayerHistory)). Joints are labels, which mostly equal a
+//! neighbor's; weights follow the joints that they belong to.
 //!
 //! All arithmetic is on integers and uses only data that a reader has.
 
 use striata::mesh::Semantic;
 
 use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Part, Rate};
-use crate::format::version::{Effort, StreamVersion};
+use crate::format::effort::Effort;
 use crate::layers::direction_model::DirectionModel;
 use crate::layers::form::{LayerForm, Transform};
 use crate::layers::layer_neighborhood::{LayerNeighborhood, LayerValues};
@@ -41,12 +41,12 @@ enum OneLayer {
 
 impl LayerModel {
     /// Creates untrained models.
-    pub(crate) fn new(forms: &[LayerForm], parameters: (Effort, StreamVersion)) -> Self {
+    pub(crate) fn new(forms: &[LayerForm], effort: Effort) -> Self {
         let layers: Vec<_> = forms
             .iter()
             .map(|form| match form.transform {
                 Transform::Octahedral { bits } => {
-                    let model = DirectionModel::new(bits, form.integer_count() > 2, parameters);
+                    let model = DirectionModel::new(bits, form.integer_count() > 2, effort);
                     match form.semantic {
                         Semantic::Tangent => OneLayer::Tangents(model, TangentSources::of(forms)),
                         _ => OneLayer::Directions(model),
@@ -54,8 +54,8 @@ impl LayerModel {
                 }
                 _ if is_label(form) => OneLayer::Labels(LabelModel::new(form)),
                 _ => match joints_of(forms, form) {
-                    Some(joints) => OneLayer::Weights(NumberModel::new(form, parameters), joints),
-                    None => OneLayer::Numbers(NumberModel::new(form, parameters)),
+                    Some(joints) => OneLayer::Weights(NumberModel::new(form, effort), joints),
+                    None => OneLayer::Numbers(NumberModel::new(form, effort)),
                 },
             })
             .collect();
@@ -324,7 +324,7 @@ mod tests {
         actual: Option<&[LayerValues]>,
         effort: Effort,
     ) -> Vec<LayerValues> {
-        let mut model = LayerModel::new(forms, (effort, StreamVersion::Two));
+        let mut model = LayerModel::new(forms, effort);
         let mut values: Vec<_> = forms.iter().map(|form| LayerValues::new(form.integer_count())).collect();
         let mut fit = RingFit::default();
         for (vertex, site) in sites.iter().enumerate() {

@@ -6,14 +6,14 @@
 //! spread around the prediction and how well the surrounding vertices could be predicted.
 
 use crate::entropy::Coder;
-use crate::format::version::{Effort, StreamVersion};
+use crate::format::effort::Effort;
 use crate::layers::form::{LayerForm, NumberType, Transform};
 use crate::layers::history::LayerHistory;
 use crate::layers::layer_neighborhood::{KINDS, LayerNeighborhood, LayerValues};
 use crate::layers::residuals::{Expected, PredictorSelector, Residuals, scale_of};
 use crate::layers::ring_fit::WEIGHT_BITS;
 
-/// Number of competing predictions; version 1 uses only the first four.
+/// Number of competing predictions.
 const PREDICTIONS: usize = 5;
 
 /// Predictions of one integer, and measures of their reliability.
@@ -101,10 +101,8 @@ pub(crate) struct NumberModel {
     /// By kind of vertex and component.
     selectors: Vec<PredictorSelector<PREDICTIONS>>,
     residuals: Residuals,
-    /// Running average of each component's recent residuals; only for version 1.
-    recent: Vec<u64>,
-    /// Residuals and copies of earlier vertices; from version 2 on.
-    history: Option<LayerHistory>,
+    /// Residuals and copies of earlier vertices.
+    history: LayerHistory,
     /// Smallest and largest possible value.
     limits: (i64, i64),
     /// Components of the current vertex coded so far.
@@ -113,7 +111,7 @@ pub(crate) struct NumberModel {
 
 impl NumberModel {
     /// Creates an untrained model.
-    pub(crate) fn new(form: &LayerForm, parameters: (Effort, StreamVersion)) -> Self {
+    pub(crate) fn new(form: &LayerForm, effort: Effort) -> Self {
         let limits = match (&form.transform, form.number_type) {
             (Transform::Uniform { bits, .. }, _) => (0, (1i64 << bits) - 1),
             (_, NumberType::U8) => (0, 0xFF),
@@ -124,10 +122,9 @@ impl NumberModel {
         };
         let count = form.integer_count();
         Self {
-            selectors: vec![PredictorSelector::new(parameters.1); KINDS * count],
-            residuals: Residuals::new(parameters, count),
-            recent: vec![0; count],
-            history: (parameters.1 > StreamVersion::One).then(LayerHistory::new),
+            selectors: vec![PredictorSelector::new(); KINDS * count],
+            residuals: Residuals::new(effort, count),
+            history: LayerHistory::new(),
             limits,
             coded: Vec::with_capacity(count),
         }
@@ -141,17 +138,14 @@ impl NumberModel {
         (neighborhood, actual): (&LayerNeighborhood<'_>, Option<&[i32]>),
         predict: impl Fn(&LayerValues, &[i32]) -> NumberPredictions,
     ) {
-        if let Some(history) = &mut self.history
-            && let Some(vertex) = history.code_copy(coder, values, neighborhood, actual)
-        {
+        if let Some(vertex) = self.history.code_copy(coder, values, neighborhood, actual) {
             values.copy(vertex);
-            history.record_copy();
+            self.history.record_copy();
             return;
         }
         self.coded.clear();
-        let kind = if self.history.is_some() { neighborhood.kind() } else { 0 };
-        let known = if self.history.is_some() { PREDICTIONS } else { 4 };
-        let around = self.history.as_ref().map(|history| history.scale_around(neighborhood));
+        let kind = neighborhood.kind();
+        let around = self.history.scale_around(neighborhood);
         let count = values.integer_count();
         let (mut before, mut sum) = (0, 0);
         for component in 0..count {
@@ -159,9 +153,9 @@ impl NumberModel {
             let set = kind * count + component;
             let [affine, mean, _, target, sibling] = predictions;
             let selector = &mut self.selectors[set];
-            let predicted = predictions[selector.best(known)].clamp(self.limits.0, self.limits.1) as i32;
-            let lately = around.unwrap_or_else(|| scale_of(self.recent[component]));
-            let scales = [scale_of(spread), scale_of(conflict), lately, scale_of(before)];
+            let predicted =
+                predictions[selector.best(PREDICTIONS)].clamp(self.limits.0, self.limits.1) as i32;
+            let scales = [scale_of(spread), scale_of(conflict), around, scale_of(before)];
             let off = actual.map_or(0, |m| m[component].wrapping_sub(predicted));
             let third = if neighborhood.sibling_target.is_none() { target } else { sibling };
             let others = [affine, mean, third].map(|other| other - i64::from(predicted));
@@ -169,20 +163,15 @@ impl NumberModel {
             let value = predicted.wrapping_add(off);
             selector.learn(predictions.map(|p| (p - i64::from(value)).unsigned_abs()));
             before = 16 * u64::from(off.unsigned_abs());
-            self.recent[component] = (7 * self.recent[component] + before) / 8;
             sum += u64::from(off.unsigned_abs());
             self.coded.push(value);
         }
         values.push(&self.coded);
-        if let Some(history) = &mut self.history {
-            history.record_residual(sum);
-        }
+        self.history.record_residual(sum);
     }
 
     /// Removes the history of all but the first vertices.
     pub(crate) fn truncate(&mut self, vertex_count: usize) {
-        if let Some(history) = &mut self.history {
-            history.truncate(vertex_count);
-        }
+        self.history.truncate(vertex_count);
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::entropy::MixedNumber;
 use crate::entropy::{AdaptiveNumber, Coder, Rate, log2_q8};
-use crate::format::version::{Effort, StreamVersion};
+use crate::format::effort::Effort;
 use crate::layers::layer_neighborhood::KINDS;
 
 /// Number of half-octave buckets for expected sizes.
@@ -36,34 +36,29 @@ pub(crate) struct Expected {
 pub(crate) enum Residuals {
     /// Uses one context, the average scale.
     Quick(AdaptiveNumber),
-    /// Mixes contexts of the four scales.
-    Mixed(MixedNumber<4>),
     /// Mixes contexts of the scales and of the other predictions, since the actual value is often close
     /// to one of them.
-    Directed(MixedNumber<6>),
+    Mixed(MixedNumber<6>),
 }
 
 impl Residuals {
-    /// Creates an untrained model. Version 1 does not distinguish kinds of vertices.
-    pub(crate) fn new((effort, version): (Effort, StreamVersion), component_count: usize) -> Self {
-        let sets = if version == StreamVersion::One { component_count } else { KINDS * component_count };
+    /// Creates an untrained model.
+    pub(crate) fn new(effort: Effort, component_count: usize) -> Self {
+        let sets = KINDS * component_count;
         let count = sets * SCALES;
-        match (effort, version) {
-            (Effort::Fast, _) => Self::Quick(AdaptiveNumber::new(count, Rate::Steady)),
-            (_, StreamVersion::One) => Self::Mixed(MixedNumber::new([count; 4], 1)),
-            _ => {
-                let [signed, pairs] = [SIGNED_BUCKETS, PAIRS].map(|each| sets * each);
-                Self::Directed(MixedNumber::new([count, signed, signed, signed, pairs, count], sets))
-            }
+        if effort == Effort::Fast {
+            return Self::Quick(AdaptiveNumber::new(count, Rate::Steady));
         }
+        let [signed, pairs] = [SIGNED_BUCKETS, PAIRS].map(|each| sets * each);
+        Self::Mixed(MixedNumber::new([count, signed, signed, signed, pairs, count], sets))
     }
 
     /// Whether the differences of other predictions are used.
     pub(crate) fn looks_at_others(&self) -> bool {
-        matches!(self, Self::Directed(_))
+        matches!(self, Self::Mixed(_))
     }
 
-    /// Codes a residual. `set` identifies the component and, from version 2 on, the kind of vertex.
+    /// Codes a residual. `set` identifies the component and the kind of vertex.
     pub(crate) fn signed<C: Coder>(
         &mut self,
         coder: &mut C,
@@ -76,8 +71,7 @@ impl Residuals {
                 let scale = (2 * scales[0] + scales[1] + scales[2]) / 4;
                 numbers.signed(coder, set * SCALES + scale, off)
             }
-            Self::Mixed(numbers) => numbers.signed(coder, (scales.map(|scale| set * SCALES + scale), 0), off),
-            Self::Directed(numbers) => {
+            Self::Mixed(numbers) => {
                 let [spread, conflict, around, last] = scales;
                 let [a, b, c] = others.map(|other| set * SIGNED_BUCKETS + signed_bucket(other));
                 let pair = set * PAIRS + around / 3 * SCALES.div_ceil(3) + conflict / 3;
@@ -98,19 +92,20 @@ fn signed_bucket(number: i64) -> usize {
     }
 }
 
+/// Each update reduces the losses of predictors by one part in 2 to this power.
+const FADE: u32 = 6;
+
 /// Selects the predictor that did best recently.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PredictorSelector<const N: usize> {
     /// Decaying sums of the logarithms of each predictor's errors.
     losses: [i32; N],
-    /// Decay rate: each update reduces the sums by one part in 2 to this power.
-    fade: u32,
 }
 
 impl<const N: usize> PredictorSelector<N> {
-    /// Creates an untrained selector. Version 1 forgets faster.
-    pub(crate) fn new(version: StreamVersion) -> Self {
-        Self { losses: [0; N], fade: if version == StreamVersion::One { 5 } else { 6 } }
+    /// Creates an untrained selector.
+    pub(crate) fn new() -> Self {
+        Self { losses: [0; N] }
     }
 
     /// Returns the best of the first `count` predictors.
@@ -122,7 +117,7 @@ impl<const N: usize> PredictorSelector<N> {
     pub(crate) fn learn(&mut self, off: [u64; N]) {
         for (loss, off) in self.losses.iter_mut().zip(off) {
             let bits = log2_q8(off.saturating_add(1).min(u64::from(u32::MAX)) as u32) << 8;
-            *loss += (bits - *loss) >> self.fade;
+            *loss += (bits - *loss) >> FADE;
         }
     }
 }
@@ -140,12 +135,12 @@ mod tests {
 
     #[test]
     fn selects_the_recently_better_prediction() {
-        let mut selector = PredictorSelector::<3>::new(StreamVersion::One);
-        (0..50).for_each(|_| selector.learn([9, 2, 7]));
+        let mut selector = PredictorSelector::<3>::new();
+        (0..100).for_each(|_| selector.learn([9, 2, 7]));
         assert_eq!(selector.best(3), 1);
-        (0..100).for_each(|_| selector.learn([9, 20, 7]));
+        (0..200).for_each(|_| selector.learn([9, 20, 7]));
         assert_eq!(selector.best(3), 2);
-        (0..500).for_each(|_| selector.learn([0, u64::MAX, u64::MAX]));
+        (0..1000).for_each(|_| selector.learn([0, u64::MAX, u64::MAX]));
         assert_eq!(selector.best(3), 0);
     }
 }

@@ -75,7 +75,7 @@ impl<const KINDS: usize, const WIDTHS: usize> Axis<'_, KINDS, WIDTHS> {
 /// A model that codes one coordinate.
 pub(super) trait AxisCoder<const DENSITIES: usize, const WIDTHS: usize> {
     /// Creates an untrained model.
-    fn new(is_thorough: bool) -> Self;
+    fn new() -> Self;
 
     /// Codes a grid coordinate.
     fn code<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, DENSITIES, WIDTHS>, actual: i32) -> i32;

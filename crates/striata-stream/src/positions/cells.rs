@@ -10,7 +10,7 @@ use wide::{i16x8, i32x4};
 
 use super::axis::{Axis, AxisCoder, CONTEXTS, DISTANCES, SIZES, SPREADS};
 use super::bumps::{Bumps, Width, below};
-use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, QuickShares, Rate, code_shares, log2_q16};
+use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, Shares, code_shares, log2_q16};
 
 /// Number of cells of an axis.
 const CELLS: usize = 16;
@@ -210,7 +210,7 @@ fn add_weights(contexts: &[&mut CellWeights; 4], density: [i16x8; 2]) -> [i16; C
 
 /// Returns the probability of each cell, in 1/32768, and the cumulative probability at which it begins.
 #[inline]
-fn parts_of(scores: &[i16; CELLS]) -> ([i16; CELLS], QuickShares) {
+fn parts_of(scores: &[i16; CELLS]) -> ([i16; CELLS], Shares) {
     let [low, high] = [0, 8].map(|at| i16x8::from_slice_unaligned(&scores[at..at + 8]));
     let best = i16x8::splat(low.max(high).reduce_max());
     let last = i16x8::splat(POWERS as i16 - 1);
@@ -302,7 +302,7 @@ fn below_ends(density: &[Bumps], ends: [i16x8; 2], width: Width) -> [i16; CELLS]
 }
 
 impl AxisCoder<1, 1> for CellModel {
-    fn new(_: bool) -> Self {
+    fn new() -> Self {
         Self::new()
     }
 

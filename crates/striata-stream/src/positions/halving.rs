@@ -8,13 +8,17 @@
 //! inputs, and the mean of their outputs is used.
 
 use super::axis::{Axis, AxisCoder, CONTEXTS, DISTANCES, Masses, SIZES, SPREADS};
+use super::guesses::KINDS;
 use crate::entropy::{
     AdaptiveBit, AdaptiveNumber, Coder, ProbabilityMap, Rate, WideMixer, log_odds, log2_q8, log2_q16,
-    probability,
 };
 
+/// Number of widths of the bumps.
+const WIDTHS: usize = 3;
 /// Number of counters that give inputs to the mixers.
 const COUNTERS: usize = 4;
+/// Number of vectors of 8 inputs: one for each kind of guess and width, the counters, and a constant.
+const VECTORS: usize = (KINDS * WIDTHS + COUNTERS + 1).div_ceil(8);
 /// Number of depth classes of the tree.
 const DEPTHS: usize = 6;
 /// Nodes of the tree that have counters; all others share node 0.
@@ -23,8 +27,9 @@ const NODES: usize = 64;
 const NEAR_LOG: u32 = 2;
 /// Number of classes for the probability of lying outside the near interval.
 const CHANCES: usize = 24;
+
 /// An interval around the expected coordinate.
-struct Interval<const KINDS: usize, const WIDTHS: usize> {
+struct Interval {
     /// Half its width.
     half: i32,
     /// Mass of each density below its ends.
@@ -42,10 +47,9 @@ struct Decision {
     bit: bool,
 }
 
-/// Learned statistics of one axis. The inputs of a mixer are one for each kind of guess and width,
-/// [`COUNTERS`] counters and a constant, in vectors of 8.
+/// Learned statistics of one axis.
 #[derive(Clone, Debug)]
-pub(super) struct AxisModel<const VECTORS: usize> {
+pub(super) struct HalvingModel {
     /// Whether a coordinate lies outside the near interval, by spread class and by the densities.
     is_outside: [Vec<AdaptiveBit>; 2],
     /// Whether a coordinate lies outside even the wide interval, by spread class.
@@ -56,16 +60,15 @@ pub(super) struct AxisModel<const VECTORS: usize> {
     by_context: Vec<AdaptiveBit>,
     by_spread: Vec<AdaptiveBit>,
     by_distance: Vec<AdaptiveBit>,
+    /// Mixes by context and depth.
     mixer: WideMixer<VECTORS>,
-    /// A second mixer, for the thorough effort.
-    other: Option<WideMixer<VECTORS>>,
-    probability_map: Option<ProbabilityMap>,
+    /// Mixes by size class.
+    other: WideMixer<VECTORS>,
+    probability_map: ProbabilityMap,
 }
 
-impl<const KINDS: usize, const WIDTHS: usize, const VECTORS: usize> AxisCoder<KINDS, WIDTHS>
-    for AxisModel<VECTORS>
-{
-    fn new(is_thorough: bool) -> Self {
+impl AxisCoder<KINDS, WIDTHS> for HalvingModel {
+    fn new() -> Self {
         let bits = |count: usize| vec![AdaptiveBit::new(Rate::Steady); count * NODES];
         let mut first = [[(18_000 / VECTORS / 8) as i16; 8]; VECTORS];
         first.as_flattened_mut()[..COUNTERS].fill(3250);
@@ -78,13 +81,12 @@ impl<const KINDS: usize, const WIDTHS: usize, const VECTORS: usize> AxisCoder<KI
             by_spread: bits(SPREADS),
             by_distance: bits(DISTANCES),
             mixer: WideMixer::new(DEPTHS * CONTEXTS, first),
-            other: is_thorough.then(|| WideMixer::new(SIZES, first)),
-            probability_map: is_thorough.then(|| ProbabilityMap::new(DEPTHS)),
+            other: WideMixer::new(SIZES, first),
+            probability_map: ProbabilityMap::new(DEPTHS),
         }
     }
 
     fn code<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, KINDS, WIDTHS>, actual: i32) -> i32 {
-        const { assert!(8 * VECTORS > KINDS * WIDTHS + COUNTERS, "one input each") }
         let span_log = (11 - axis.local.shift - i32::from(axis.is_last)).clamp(1, 29) as u32;
         let half = 1i32 << span_log;
         let actual = actual.wrapping_sub(axis.center);
@@ -102,10 +104,10 @@ impl<const KINDS: usize, const WIDTHS: usize, const VECTORS: usize> AxisCoder<KI
     }
 }
 
-impl<const VECTORS: usize> AxisModel<VECTORS> {
+impl HalvingModel {
     /// Codes whether a coordinate lies outside the near interval.
     #[inline]
-    fn is_outside<C: Coder, const KINDS: usize, const WIDTHS: usize>(
+    fn is_outside<C: Coder>(
         &mut self,
         coder: &mut C,
         axis: &Axis<'_, KINDS, WIDTHS>,
@@ -126,11 +128,11 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
     }
 
     /// Codes a coordinate within an interval by halving it.
-    fn halve<C: Coder, const KINDS: usize, const WIDTHS: usize>(
+    fn halve<C: Coder>(
         &mut self,
         coder: &mut C,
         axis: &Axis<'_, KINDS, WIDTHS>,
-        interval: Interval<KINDS, WIDTHS>,
+        interval: Interval,
         actual: i32,
     ) -> i32 {
         let Interval { half, masses: [mut below_low, mut below_high], is_near } = interval;
@@ -165,7 +167,7 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
 
     /// Codes one decision from the mixed inputs.
     #[inline]
-    fn decide<C: Coder, const KINDS: usize, const WIDTHS: usize>(
+    fn decide<C: Coder>(
         &mut self,
         coder: &mut C,
         axis: &Axis<'_, KINDS, WIDTHS>,
@@ -184,22 +186,12 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
             *input = log_odds(counter.p_one()) as i16;
         }
         all[KINDS * WIDTHS + COUNTERS] = 128;
-        let mut odds = self.mixer.mix(inputs, axis.context * DEPTHS + depth);
-        if let Some(other) = &mut self.other {
-            odds = (odds + other.mix(inputs, axis.size)) >> 1;
-        }
-        let p_one = match &mut self.probability_map {
-            Some(probability_map) => probability_map.refine(odds, depth),
-            None => probability(odds).clamp(24, 65_512),
-        };
-        let bit = coder.bit(bit, p_one);
+        let odds =
+            (self.mixer.mix(inputs, axis.context * DEPTHS + depth) + self.other.mix(inputs, axis.size)) >> 1;
+        let bit = coder.bit(bit, self.probability_map.refine(odds, depth));
         self.mixer.update(inputs, bit);
-        if let Some(other) = &mut self.other {
-            other.update(inputs, bit);
-        }
-        if let Some(probability_map) = &mut self.probability_map {
-            probability_map.update(bit);
-        }
+        self.other.update(inputs, bit);
+        self.probability_map.update(bit);
         counters.into_iter().for_each(|counter| counter.update(bit));
         bit
     }
@@ -208,7 +200,7 @@ impl<const VECTORS: usize> AxisModel<VECTORS> {
 /// Computes the log-odds of the upper half under each density. Densities with little mass here give
 /// values near zero.
 #[inline]
-fn weigh<const KINDS: usize, const WIDTHS: usize>(
+fn weigh(
     low: &Masses<KINDS, WIDTHS>,
     middle: &Masses<KINDS, WIDTHS>,
     high: &Masses<KINDS, WIDTHS>,

@@ -36,7 +36,7 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCode
         Self {
             widths,
             density: PositionDensity::new(),
-            axes: std::array::from_fn(|_| A::new(PositionDensity::<USED>::LOOKS_BEYOND)),
+            axes: std::array::from_fn(|_| A::new()),
             blends: [[Blend::new(std::array::from_fn(|k| if k < KINDS { 10_000 } else { 0 })); 4]; 2],
             errors: Vec::new(),
         }

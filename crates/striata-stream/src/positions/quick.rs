@@ -4,17 +4,13 @@
 //! the vertex that split, with learned weights. The residual is one symbol per axis and its low bits.
 
 use super::ahead::{POINTS, Prediction, Surroundings};
-use super::residual::{ResidualContext, code_residual};
-use crate::entropy::{AdaptiveNumber, Coder, QuickSymbol, Rate, code_by_two, log2_q8};
+use super::residual::{ResidualAxis, ResidualContext};
+use crate::entropy::{Coder, log2_q8};
 
-/// Numbers of size classes and of spread classes.
-const SIZES: usize = 64;
+/// Number of spread classes.
 const SPREADS: usize = 16;
 /// Number of valence classes, which have separate weights.
 const VALENCES: usize = 4;
-
-/// Final learning rate of symbols, as a right shift.
-const LAST_SHIFT: u32 = 7;
 
 /// A position model that predicts all vertices of a stretch ahead.
 #[derive(Clone, Debug)]
@@ -24,35 +20,7 @@ pub(crate) struct QuickPositions {
     predictions: Vec<Prediction>,
     /// By direction (along or across the surface) and valence.
     weights: [[[i32; POINTS]; VALENCES]; 2],
-    axes: [QuickAxis; 3],
-}
-
-/// Codes residuals along an axis: zero, or a sign and a bucket (1, 2 to 3, ..); all else is noise.
-#[derive(Clone, Debug)]
-struct QuickAxis {
-    by_size: Vec<QuickSymbol>,
-    by_spread: Vec<QuickSymbol>,
-    far: AdaptiveNumber,
-}
-
-impl QuickAxis {
-    fn new() -> Self {
-        Self {
-            by_size: vec![QuickSymbol::new(16); SIZES],
-            by_spread: vec![QuickSymbol::new(16); SPREADS * VALENCES],
-            far: AdaptiveNumber::new(SIZES, Rate::Steady),
-        }
-    }
-
-    /// Codes the residual of a prediction.
-    #[inline]
-    fn code<C: Coder>(&mut self, coder: &mut C, at: ResidualContext, actual: i32) -> i32 {
-        let Self { by_size, by_spread, far } = self;
-        let models = [&mut by_size[at.size], &mut by_spread[at.spread]];
-        code_residual(coder, far, at, actual, |coder, actual_symbol| {
-            code_by_two(coder, models, actual_symbol, LAST_SHIFT)
-        })
-    }
+    axes: [ResidualAxis; 3],
 }
 
 impl QuickPositions {
@@ -62,7 +30,7 @@ impl QuickPositions {
             first: 0,
             predictions: Vec::new(),
             weights: [[[16_000, 0, 0]; VALENCES]; 2],
-            axes: [QuickAxis::new(), QuickAxis::new(), QuickAxis::new()],
+            axes: std::array::from_fn(|_| ResidualAxis::new(SPREADS * VALENCES)),
         }
     }
 

@@ -4,20 +4,12 @@ use striata::mesh::{IndexedMesh, Random, shapes};
 
 use super::{CellModel, MixedModel, PositionModel, Surroundings};
 use crate::entropy::{Coder, RangeReader, RangeWriter};
-use crate::format::version::{Effort, StreamVersion};
+use crate::format::effort::Effort;
 use crate::topology::cutting::close;
 use crate::topology::neighborhood::Neighborhood;
 use crate::topology::surface::{NONE, Surface, next};
 
 const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
-/// All combinations that have different models.
-const KINDS: [(Effort, StreamVersion); 5] = [
-    (Effort::Fast, StreamVersion::One),
-    (Effort::Default, StreamVersion::One),
-    (Effort::Small, StreamVersion::One),
-    (Effort::Fast, StreamVersion::Two),
-    (Effort::Default, StreamVersion::Two),
-];
 
 /// A closed surface and the grid coordinates of its vertices.
 struct Sample {
@@ -56,11 +48,10 @@ fn samples() -> Vec<Sample> {
 }
 
 /// Samples that a model can code: the one that predicts ahead requires grid coordinates of at most 24 bits.
-fn samples_for(kind: (Effort, StreamVersion)) -> Vec<Sample> {
+fn samples_for(effort: Effort) -> Vec<Sample> {
     let is_on_grid =
         |sample: &Sample| sample.coords.iter().flatten().all(|x| (-1 << 23..1 << 23).contains(x));
-    let is_ahead = kind == (Effort::Fast, StreamVersion::Two);
-    samples().into_iter().filter(|sample| !is_ahead || is_on_grid(sample)).collect()
+    samples().into_iter().filter(|sample| effort != Effort::Fast || is_on_grid(sample)).collect()
 }
 
 /// Returns the known surroundings of a vertex.
@@ -75,16 +66,11 @@ fn around(neighborhood: &Neighborhood<'_>) -> Surroundings {
 }
 
 /// Codes all positions but the first few in order. `unknown` fills the positions that are not known yet.
-fn code<C: Coder>(
-    coder: &mut C,
-    sample: &Sample,
-    (effort, version): (Effort, StreamVersion),
-    unknown: [i32; 3],
-) -> Vec<[i32; 3]> {
+fn code<C: Coder>(coder: &mut C, sample: &Sample, effort: Effort, unknown: [i32; 3]) -> Vec<[i32; 3]> {
     let first = sample.surface.virtual_count() as usize + 4;
     let mut coords = sample.coords[..first].to_vec();
     coords.resize(sample.coords.len(), unknown);
-    let mut model = PositionModel::new(effort, version);
+    let mut model = PositionModel::new(effort);
     for vertex in first..coords.len() {
         let corners: Vec<u32> = sample.surface.ring(vertex as u32).collect();
         let neighborhood = Neighborhood {
@@ -102,30 +88,30 @@ fn code<C: Coder>(
     coords
 }
 
-fn write(sample: &Sample, kind: (Effort, StreamVersion), unknown: [i32; 3]) -> Vec<u8> {
+fn write(sample: &Sample, effort: Effort, unknown: [i32; 3]) -> Vec<u8> {
     let mut writer = RangeWriter::new();
-    assert_eq!(code(&mut writer, sample, kind, unknown), sample.coords);
+    assert_eq!(code(&mut writer, sample, effort, unknown), sample.coords);
     writer.finish().0
 }
 
 #[test]
 fn decodes_coordinates_of_all_magnitudes() {
-    for kind in KINDS {
-        for (at, sample) in samples_for(kind).iter().enumerate() {
-            let bytes = write(sample, kind, [0; 3]);
-            let coords = code(&mut RangeReader::new(&bytes, true), sample, kind, [1; 3]);
-            assert_eq!(coords, sample.coords, "sample {at}, {kind:?}");
+    for effort in EFFORTS {
+        for (at, sample) in samples_for(effort).iter().enumerate() {
+            let bytes = write(sample, effort, [0; 3]);
+            let coords = code(&mut RangeReader::new(&bytes, true), sample, effort, [1; 3]);
+            assert_eq!(coords, sample.coords, "sample {at}, {effort:?}");
         }
     }
 }
 
 #[test]
 fn later_coordinates_have_no_influence() {
-    for kind in KINDS {
-        for (at, sample) in samples_for(kind).iter().enumerate() {
-            let expected = write(sample, kind, [0; 3]);
+    for effort in EFFORTS {
+        for (at, sample) in samples_for(effort).iter().enumerate() {
+            let expected = write(sample, effort, [0; 3]);
             for rubbish in [[i32::MAX; 3], [-5, 4000, 77]] {
-                assert_eq!(write(sample, kind, rubbish), expected, "sample {at}, {kind:?}");
+                assert_eq!(write(sample, effort, rubbish), expected, "sample {at}, {effort:?}");
             }
         }
     }
@@ -136,13 +122,12 @@ fn random_bytes_give_coordinates() {
     let mut random = Random::new(6);
     // The caller of the model that predicts ahead stops at positions outside the grid, so it is never
     // called after them.
-    let kinds = KINDS.into_iter().filter(|&kind| kind != (Effort::Fast, StreamVersion::Two));
-    for kind in kinds {
+    for effort in [Effort::Default, Effort::Small] {
         for sample in &samples() {
             let bytes: Vec<u8> = (0..400).map(|_| random.next_u64() as u8).collect();
-            code(&mut RangeReader::new(&bytes, true), sample, kind, [0; 3]);
+            code(&mut RangeReader::new(&bytes, true), sample, effort, [0; 3]);
             let mut cut = RangeReader::new(&bytes[..40], false);
-            code(&mut cut, sample, kind, [0; 3]);
+            code(&mut cut, sample, effort, [0; 3]);
             assert!(cut.overran());
         }
     }
@@ -157,21 +142,18 @@ fn more_effort_takes_fewer_bytes() {
         mesh.positions.iter().map(|_| [(); 3].map(|()| random.between(-4.0, 4.0))).collect();
     let sample =
         sample(&mesh, |v| [0, 1, 2].map(|a| (mesh.positions[v][a] * 1000.0 + noise[v][a]).round() as i32));
-    let bits = EFFORTS.map(|effort| {
-        write(&sample, (effort, StreamVersion::One), [0; 3]).len() as f64 * 8.0 / mesh.positions.len() as f64
-    });
+    let bits =
+        EFFORTS.map(|effort| write(&sample, effort, [0; 3]).len() as f64 * 8.0 / mesh.positions.len() as f64);
     // The noise alone takes 9.5 bits.
     assert!(bits[0] < 20.0 && bits[1] < 15.5 && bits[2] < 15.0, "{bits:?}");
     assert!(bits[2] < bits[1] && bits[1] < bits[0], "{bits:?}");
-    let of_cells = write(&sample, (Effort::Default, StreamVersion::Two), [0; 3]).len() as f64 * 8.0;
-    assert!(of_cells / (mesh.positions.len() as f64) < bits[1] * 1.02, "{of_cells}");
 }
 
 #[test]
 fn bytes_are_the_same_on_every_machine() {
     let samples = samples();
-    let found = KINDS.map(|kind| crc32fast::hash(&write(&samples[0], kind, [0; 3])));
-    assert_eq!(found, [541_360_663, 4_176_046_866, 815_267_749, 1_581_675_626, 1_206_542_486]);
+    let found = EFFORTS.map(|effort| crc32fast::hash(&write(&samples[0], effort, [0; 3])));
+    assert_eq!(found, [1_581_675_626, 1_206_542_486, 815_267_749]);
 }
 
 #[test]

@@ -272,7 +272,6 @@ impl StreamDecoder {
     ) -> Result<(), StreamDefect> {
         let Some(header) = &self.header else { return Ok(()) };
         let parameters = StreamParameters {
-            version: header.version,
             has_general: header.has_general,
             effort: header.effort,
             grid: header.grid,

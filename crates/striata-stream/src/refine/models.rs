@@ -23,9 +23,9 @@ impl Connectivity {
     /// Creates an untrained model for the surface of the base mesh.
     pub(crate) fn new(surface: &Surface, parameters: &StreamParameters) -> Self {
         if parameters.is_quick() {
-            Self::Quick(Box::new(QuickModel::new(surface, (parameters.effort, parameters.version))))
+            Self::Quick(Box::new(QuickModel::new(surface, parameters.effort)))
         } else {
-            Self::Thorough(Box::new(ConnectivityModel::new(parameters.effort)))
+            Self::Thorough(Box::new(ConnectivityModel::new()))
         }
     }
 
@@ -68,8 +68,7 @@ impl Models {
     }
 
     /// Adapts the models to a surface that was rebuilt between two batches. `old_of_new` contains the old
-    /// index of each of its vertices, or [`NONE`](crate::topology::surface::NONE) for a new one. Only
-    /// used by version 2 streams.
+    /// index of each of its vertices, or [`NONE`](crate::topology::surface::NONE) for a new one.
     pub(crate) fn renumber(&mut self, old_of_new: &[u32]) {
         match &mut self.connectivity {
             Connectivity::Thorough(model) => model.renumber(old_of_new),

@@ -1,17 +1,14 @@
 //! Parameters of a stream that both sides know before the first bit.
 
-use super::walk::WalkOrder;
 use crate::base::coder::BaseLimits;
+use crate::format::effort::Effort;
 use crate::format::grid::PositionGrid;
-use crate::format::version::{Effort, StreamVersion};
 use crate::layers::form::LayerForm;
 
 /// Parameters of a stream that both sides know before the first bit: a writer chooses them, a reader
 /// finds them in the header.
 #[derive(Clone, Debug)]
 pub(crate) struct StreamParameters {
-    /// Version of the bitstream format.
-    pub(crate) version: StreamVersion,
     /// Whether the stream has general batches.
     pub(crate) has_general: bool,
     /// Trade-off between speed and size.
@@ -42,20 +39,7 @@ impl StreamParameters {
 
     /// Whether the quick model codes which vertices split.
     pub(crate) fn is_quick(&self) -> bool {
-        match self.effort {
-            Effort::Fast => true,
-            Effort::Default => self.version > StreamVersion::One,
-            Effort::Small => false,
-        }
-    }
-
-    /// Returns the order in which vertices are visited.
-    pub(crate) fn walk_order(&self) -> WalkOrder {
-        match (self.version, self.effort) {
-            (StreamVersion::One, Effort::Small) => WalkOrder::Near,
-            (StreamVersion::One, _) => WalkOrder::Numbers,
-            _ => WalkOrder::Families,
-        }
+        self.effort != Effort::Small
     }
 
     /// Maximum number of vertex visits in a stream: many times more than real batches need, and a bound

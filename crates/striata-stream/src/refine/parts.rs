@@ -4,7 +4,6 @@ use super::growth::GrowingMesh;
 use super::walk::Walk;
 use crate::connectivity::SplitContext;
 use crate::format::grid::PositionGrid;
-use crate::topology::rings::Rings;
 use crate::topology::surface::{Cut, Surface, triangle_of};
 use crate::wedges::split::SplitWedges;
 
@@ -50,10 +49,6 @@ pub(crate) struct Stretch {
     pub(crate) patches: Vec<u32>,
     /// End of each split's patch in that list.
     pub(crate) ends: Vec<u32>,
-    /// Vertices that split and whose cuts are coded next.
-    pub(crate) group: Vec<u32>,
-    /// Corners around the vertices of `group`.
-    pub(crate) rings: Rings,
     /// Corners around the vertex being visited, or around the new vertex.
     pub(crate) corners: Vec<u32>,
     /// Vertices that those corners refer to.

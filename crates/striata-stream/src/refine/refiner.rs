@@ -76,8 +76,7 @@ impl MeshRefiner {
         }
         let vertex_of_position = base.vertex_of_position()?;
         let mut surface = base.surface()?;
-        let mut wedges =
-            parameters.has_wedges().then(|| WedgeModel::new(parameters.vertex_count, parameters.version));
+        let mut wedges = parameters.has_wedges().then(|| WedgeModel::new(parameters.vertex_count));
         match &mut wedges {
             Some(model) => {
                 if let Some(observer) = source.observer() {
@@ -92,10 +91,10 @@ impl MeshRefiner {
         }
         let mut models = Models {
             connectivity: Connectivity::new(&surface, parameters),
-            positions: PositionModel::new(parameters.effort, parameters.version),
+            positions: PositionModel::new(parameters.effort),
             corrections: parameters.is_exact.then(CorrectionModel::new),
             wedges,
-            attributes: Attributes::new(&parameters.layers, (parameters.effort, parameters.version)),
+            attributes: Attributes::new(&parameters.layers, parameters.effort),
             general: parameters.has_general.then(|| GeneralBatches::new(base.grid_points.clone())),
         };
         let growth = GrowingMesh::of_base(&base, &mut surface, parameters.group_count);
@@ -107,7 +106,7 @@ impl MeshRefiner {
             visits_left: parameters.most_visits(),
             most_wedges: parameters.base.extra_wedges.into(),
         };
-        let batch = Batch { walk: Walk::new(parameters.walk_order()), is_under_way: false, split_count: 0 };
+        let batch = Batch { walk: Walk::default(), is_under_way: false, split_count: 0 };
         Ok(Self { level, models, batch, limits, stretch: Stretch::default() })
     }
 

@@ -5,17 +5,13 @@ use super::refiner::MeshRefiner;
 use super::source::Source;
 use crate::entropy::Coder;
 
-/// Number of vertices found to split before their cuts are coded.
-const GROUP_SIZE: usize = 24;
-
 impl MeshRefiner {
     /// Codes which vertices split and how, up to `most` splits or the end of the batch.
     pub(super) fn code_splits<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
         self.stretch.clear();
         match &self.models.connectivity {
             Connectivity::Quick(_) => self.code_quickly(coder, source, most),
-            Connectivity::Thorough(model) if model.is_thorough() => self.code_each(coder, source, most),
-            Connectivity::Thorough(_) => self.code_in_groups(coder, source, most),
+            Connectivity::Thorough(_) => self.code_each(coder, source, most),
         }
     }
 
@@ -33,40 +29,8 @@ impl MeshRefiner {
             let split_context = level.split_context(&batch.walk, limits);
             let actual = source.input().and_then(|input| input.cut(vertex));
             let cut = model.code(coder, &split_context, (vertex, &stretch.corners), actual);
-            batch.walk.record_visit(&level.surface, vertex, &stretch.corners, cut.is_some());
+            batch.walk.record_visit(vertex, cut.is_some());
             if let Some(cut) = cut {
-                stretch.push_split(&mut level.surface, cut, batch.walk.batch());
-            }
-        }
-    }
-
-    /// Codes flags until a group of vertices splits, then their cuts, so that their rings can be found in
-    /// parallel.
-    fn code_in_groups<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
-        let Self { level, models, batch, limits, stretch } = self;
-        let Connectivity::Thorough(model) = &mut models.connectivity else { return };
-        while batch.is_under_way && stretch.split_count() < most {
-            let room = GROUP_SIZE.min(most - stretch.split_count());
-            stretch.group.clear();
-            while stretch.group.len() < room {
-                let Some(vertex) = batch.walk.next_vertex() else {
-                    batch.is_under_way = false;
-                    break;
-                };
-                let actual = source.input().is_some_and(|input| input.cut(vertex).is_some());
-                let splits = model.flag(coder, vertex, actual);
-                batch.walk.record_visit(&level.surface, vertex, &[], splits);
-                if splits {
-                    stretch.group.push(vertex);
-                }
-            }
-            stretch.rings.find(&level.surface, &stretch.group);
-            for at in 0..stretch.group.len() {
-                let vertex = stretch.group[at];
-                let split_context = level.split_context(&batch.walk, limits);
-                let actual = source.input().and_then(|input| input.cut(vertex));
-                let corners = stretch.rings.of(at);
-                let Some(cut) = model.cut(coder, &split_context, (vertex, corners), actual) else { continue };
                 stretch.push_split(&mut level.surface, cut, batch.walk.batch());
             }
         }

@@ -1,22 +1,14 @@
 //! The order in which both sides of a stream visit the vertices of a surface to decide whether they split.
 //!
-//! | order | next vertex |
-//! | --- | --- |
-//! | [`WalkOrder::Near`] | breadth first: a neighbor of a visited vertex |
-//! | [`WalkOrder::Numbers`] | the vertex with the next index |
-//! | [`WalkOrder::Families`] | each vertex is followed by its descendants, the latest first |
+//! Each vertex is followed by its descendants, the latest first. It is visited once per batch; vertices created
+//! within the batch are skipped.
 //!
-//! Each vertex is visited once per batch; vertices created within the batch are skipped. In breadth-first
-//! order, the neighbors of a visited vertex wait in a queue. A vertex splits only after it was visited,
-//! so this finds everything that was around it before the batch, regardless of splits elsewhere. The
-//! other two orders are lists and do not have to walk around vertices that do not split.
-//!
-//! Vertices that were split off each other lie close together, so the family order moves gradually over the
+//! Vertices that were split off each other lie close together, so this order moves gradually over the
 //! surface. The vertices that a batch creates are numbered in walk order, so a walk also runs through each
 //! batch's memory from beginning to end. The order by index does neither: consecutive vertices lie wherever a
 //! batch had room for a split, which takes half as much time again if a mesh does not fit into the caches.
 
-use crate::topology::surface::{NONE, Surface, next};
+use crate::topology::surface::{NONE, Surface};
 
 /// State of a vertex in the current batch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,32 +23,17 @@ pub(crate) enum VisitState {
     Created,
 }
 
-/// Order in which vertices are visited.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum WalkOrder {
-    /// Breadth first: a neighbor of a visited vertex comes next.
-    Near,
-    /// By ascending index.
-    Numbers,
-    /// Each vertex is followed by the vertices that were split off it.
-    #[default]
-    Families,
-}
-
 /// Progress of a walk through the current batch.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Walk {
-    order: WalkOrder,
-    /// For each vertex: four times the batch in which it was last seen, plus its state in that batch.
+    /// For each vertex: four times the batch in which it was last visited, plus its state in that batch.
     seen: Vec<u32>,
     /// Number of the current batch, starting from 1.
     batch: u32,
-    /// Breadth first: the vertices waiting to be visited. Otherwise: all vertices that are not virtual.
+    /// All vertices that are not virtual, in the order of their visits.
     queue: Vec<u32>,
     /// Position of the next vertex in the queue.
     head: usize,
-    /// Breadth first: the next vertex that may start a component.
-    seed: u32,
     /// Number of vertices at the beginning of the batch.
     end: u32,
     /// For each vertex created in the batch, in walk order, the vertex it was split off.
@@ -65,19 +42,12 @@ pub(crate) struct Walk {
     is_renumbered: bool,
 }
 
-/// State of a vertex that waits in the queue, as stored in `Walk::seen`.
-const QUEUED: u32 = 0;
-/// State of a visited vertex that does not split.
+/// State of a visited vertex that does not split, as stored in `Walk::seen`.
 const STAYS: u32 = 1;
 /// State of a visited vertex that splits.
 const SPLITS: u32 = 2;
 
 impl Walk {
-    /// Creates a walk that has not begun a batch.
-    pub(crate) fn new(order: WalkOrder) -> Self {
-        Self { order, ..Self::default() }
-    }
-
     /// Reserves memory for a total number of vertices.
     pub(crate) fn reserve(&mut self, vertex_count: usize) {
         self.queue.reserve_exact(vertex_count);
@@ -87,14 +57,10 @@ impl Walk {
     pub(crate) fn begin(&mut self, surface: &Surface) {
         self.batch += 1;
         self.insert_created();
-        let last_end = std::mem::replace(&mut self.end, surface.vertex_count() as u32);
-        self.seed = surface.virtual_count();
+        self.end = surface.vertex_count() as u32;
         self.head = 0;
-        match self.order {
-            WalkOrder::Near => self.queue.clear(),
-            _ if self.batch == 1 => self.queue.extend(self.seed..self.end),
-            WalkOrder::Numbers => self.queue.extend(last_end..self.end),
-            WalkOrder::Families => {}
+        if self.batch == 1 {
+            self.queue.extend(surface.virtual_count()..self.end);
         }
         if std::mem::take(&mut self.is_renumbered) {
             self.queue.retain(|&vertex| !surface.is_virtual(vertex));
@@ -122,17 +88,12 @@ impl Walk {
     /// Records that a vertex of the walk was split. The new vertex has the next index.
     #[inline]
     pub(crate) fn record_split(&mut self, kept: u32) {
-        if self.order == WalkOrder::Families {
-            self.split_parents.push(kept);
-        }
+        self.split_parents.push(kept);
     }
 
     /// Adapts to a surface that was rebuilt and renumbered between two batches. `old_of_new` contains the
     /// old index of each of its vertices, or [`NONE`] for a new one. New vertices are visited last.
-    ///
-    /// Only for the family order.
     pub(crate) fn renumber(&mut self, old_of_new: &[u32]) {
-        debug_assert_eq!(self.order, WalkOrder::Families, "the order that survives renumbering");
         if self.batch == 0 {
             // No vertex has been visited yet.
             return;
@@ -179,8 +140,8 @@ impl Walk {
         }
     }
 
-    /// Returns all vertices that remain to be visited, in order. Do not call this on a breadth-first walk.
-    /// Report how many of them were visited with [`skip`](Self::skip).
+    /// Returns all vertices that remain to be visited, in order. Report how many of them were visited with
+    /// [`skip`](Self::skip).
     pub(crate) fn rest(&self) -> &[u32] {
         &self.queue[self.head..]
     }
@@ -192,49 +153,17 @@ impl Walk {
 
     /// Returns the next vertex to visit, or `None` if all have been visited.
     pub(crate) fn next_vertex(&mut self) -> Option<u32> {
-        if let Some(&vertex) = self.queue.get(self.head) {
-            self.head += 1;
-            return Some(vertex);
-        }
-        if self.order == WalkOrder::Near { self.next_seed() } else { None }
+        let vertex = *self.queue.get(self.head)?;
+        self.head += 1;
+        Some(vertex)
     }
 
-    /// Returns a vertex of a component in which no vertex has been visited.
-    fn next_seed(&mut self) -> Option<u32> {
-        self.seen.resize(self.end as usize, 0);
-        while self.seed < self.end && self.seen[self.seed as usize] >= 4 * self.batch {
-            self.seed += 1;
-        }
-        if self.seed == self.end {
-            return None;
-        }
-        self.seen[self.seed as usize] = 4 * self.batch + QUEUED;
-        self.queue.clear();
-        self.head = 0;
-        self.seed += 1;
-        Some(self.seed - 1)
-    }
-
-    /// Records whether a vertex splits. Breadth first, also queues its neighbors, which follow the
-    /// `corners` around it.
-    pub(crate) fn record_visit(&mut self, surface: &Surface, vertex: u32, corners: &[u32], splits: bool) {
+    /// Records whether a vertex splits.
+    pub(crate) fn record_visit(&mut self, vertex: u32, splits: bool) {
         if self.seen.len() <= vertex as usize {
             self.seen.resize(self.end as usize, 0);
         }
         self.seen[vertex as usize] = 4 * self.batch + if splits { SPLITS } else { STAYS };
-        if self.order != WalkOrder::Near {
-            return;
-        }
-        for &corner in corners {
-            let neighbor = surface.vertex(next(corner));
-            if neighbor < self.end
-                && !surface.is_virtual(neighbor)
-                && self.seen[neighbor as usize] < 4 * self.batch
-            {
-                self.seen[neighbor as usize] = 4 * self.batch + QUEUED;
-                self.queue.push(neighbor);
-            }
-        }
     }
 }
 
@@ -266,7 +195,7 @@ mod tests {
     fn split_off_vertices_follow_their_parents() {
         let mut surface = surface();
         let count = surface.vertex_count() as u32;
-        let mut walk = Walk::new(WalkOrder::Families);
+        let mut walk = Walk::default();
         walk.begin(&surface);
         assert_eq!(visited(&mut walk), (1..count).collect::<Vec<_>>());
         for vertex in [2, 5] {
@@ -287,25 +216,22 @@ mod tests {
     }
 
     #[test]
-    fn every_order_visits_each_vertex_once() {
-        for order in [WalkOrder::Near, WalkOrder::Numbers, WalkOrder::Families] {
-            let mut surface = surface();
-            let mut walk = Walk::new(order);
-            for _ in 0..3 {
-                walk.begin(&surface);
-                let mut all = Vec::new();
-                while let Some(vertex) = walk.next_vertex() {
-                    let corners: Vec<u32> = surface.ring(vertex).collect();
-                    assert_eq!(walk.visit_state(vertex), VisitState::Unvisited);
-                    walk.record_visit(&surface, vertex, &corners, false);
-                    assert_eq!(walk.visit_state(vertex), VisitState::Unsplit);
-                    all.push(vertex);
-                }
-                all.sort_unstable();
-                assert_eq!(all, (1..surface.vertex_count() as u32).collect::<Vec<_>>());
-                let new = split(&mut walk, &mut surface, 3);
-                assert_eq!(walk.visit_state(new), VisitState::Created);
+    fn each_batch_visits_each_vertex_once() {
+        let mut surface = surface();
+        let mut walk = Walk::default();
+        for _ in 0..3 {
+            walk.begin(&surface);
+            let mut all = Vec::new();
+            while let Some(vertex) = walk.next_vertex() {
+                assert_eq!(walk.visit_state(vertex), VisitState::Unvisited);
+                walk.record_visit(vertex, false);
+                assert_eq!(walk.visit_state(vertex), VisitState::Unsplit);
+                all.push(vertex);
             }
+            all.sort_unstable();
+            assert_eq!(all, (1..surface.vertex_count() as u32).collect::<Vec<_>>());
+            let new = split(&mut walk, &mut surface, 3);
+            assert_eq!(walk.visit_state(new), VisitState::Created);
         }
     }
 
@@ -313,7 +239,7 @@ mod tests {
     fn renumbering_keeps_the_order() {
         let mut surface = surface();
         let count = surface.vertex_count() as u32;
-        let mut walk = Walk::new(WalkOrder::Families);
+        let mut walk = Walk::default();
         walk.begin(&surface);
         visited(&mut walk);
         split(&mut walk, &mut surface, 2);

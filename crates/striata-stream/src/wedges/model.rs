@@ -11,7 +11,6 @@ use std::ops::Range;
 
 use super::split::SplitWedges;
 use crate::entropy::{AdaptiveBit, Coder, Rate, code_uniform};
-use crate::format::version::StreamVersion;
 use crate::general::step::CodedStep;
 use crate::refine::growth::GrowingMesh;
 use crate::refine::source::Source;
@@ -26,13 +25,12 @@ const OUTCOMES: usize = 4;
 const HIDDEN: usize = 3;
 /// Number of list positions that have their own probabilities.
 const LIST_INDICES: usize = 6;
-/// Maximum number of wedges of the new position that version 2 offers one by one.
+/// Maximum number of wedges of the new position that are offered one by one.
 const MOST_OFFERED: usize = 16;
 
-/// Models of wedges and groups. Version 1 uses only the first contexts of each kind.
+/// Models of wedges and groups.
 #[derive(Clone, Debug)]
 pub(crate) struct WedgeModel {
-    version: StreamVersion,
     /// Number of vertices in the full mesh.
     vertex_count: u32,
     /// Whether a corner of the patch refers to the same wedge as the previous one, by whether that holds
@@ -110,10 +108,9 @@ impl<S: Source> WedgeContext<'_, S> {
 
 impl WedgeModel {
     /// Creates an untrained model; `vertex_count` is that of the full mesh.
-    pub(crate) fn new(vertex_count: u32, version: StreamVersion) -> Self {
+    pub(crate) fn new(vertex_count: u32) -> Self {
         let bit = AdaptiveBit::new(Rate::Steady);
         Self {
-            version,
             vertex_count,
             continues: [bit; 2 * 3],
             is_other: [bit; LIST_INDICES],
@@ -126,10 +123,6 @@ impl WedgeModel {
             hidden: HiddenWedges::default(),
             wedge_of: HashMap::new(),
         }
-    }
-
-    fn is_first_version(&self) -> bool {
-        self.version == StreamVersion::One
     }
 
     /// Finds the vertices of a range that no corner refers to yet, those nearest to `near` first.
@@ -148,7 +141,7 @@ impl WedgeModel {
     }
 
     /// Codes a value of a range: one of the guesses, or any other. `outcome` is that of the previous
-    /// corner; version 1 ignores it.
+    /// corner.
     fn choose<C: Coder>(
         &mut self,
         coder: &mut C,
@@ -160,14 +153,12 @@ impl WedgeModel {
             return all.start;
         }
         let class = self.find_hidden(kind, &guesses, &all);
-        let outcome = if self.is_first_version() { 0 } else { outcome };
         let key = (kind as usize * 2 + usize::from(guesses[0] == guesses[1])) * 2;
         let key = key + GUESSES * (outcome * HIDDEN + class);
-        let knows_corners = !self.is_first_version() && !kind.is_group();
         let mut tried = NONE;
         for (index, guess) in guesses.into_iter().enumerate() {
             let Some(guess) = guess.filter(|guess| all.contains(guess) && *guess != tried) else { continue };
-            let has_one_corner_at_most = knows_corners && self.hidden.has_one_corner_at_most(guess);
+            let has_one_corner_at_most = !kind.is_group() && self.hidden.has_one_corner_at_most(guess);
             let key = key + index + GUESSES * OUTCOMES * HIDDEN * usize::from(has_one_corner_at_most);
             if self.is_guess[key].code(coder, guess == actual) {
                 return guess;
@@ -182,7 +173,7 @@ impl WedgeModel {
 
     /// Finds hidden vertices that may be the coded value, and returns the class of their number.
     fn find_hidden(&mut self, kind: ValueKind, guesses: &[Option<u32>; 2], all: &Range<u32>) -> usize {
-        if self.is_first_version() || kind.is_group() {
+        if kind.is_group() {
             return 0;
         }
         let near = guesses.iter().flatten().next().copied().unwrap_or(all.start);
@@ -233,9 +224,7 @@ impl WedgeModel {
             self.code_side(coder, split, side, out);
         }
         self.code_cornerless(coder, split, out);
-        if !self.is_first_version() {
-            self.count_corners(split, out);
-        }
+        self.count_corners(split, out);
     }
 
     /// Codes the wedges that no corner refers to.
@@ -262,11 +251,7 @@ impl WedgeModel {
             // If all vertices of the mesh exist, nothing is left to code.
             let is_full = growth.vertex_count() as usize + count >= self.vertex_count as usize;
             let is_full = is_full || count as u64 > split.most_beyond.saturating_add(1);
-            let context = if self.is_first_version() {
-                usize::from(count > 1)
-            } else {
-                (shown_class * 4 + (count - shown).min(3)) * HIDDEN + class
-            };
+            let context = (shown_class * 4 + (count - shown).min(3)) * HIDDEN + class;
             if count > 0 && (is_full || !self.has_more[context].code(coder, more.is_some())) {
                 break;
             }
@@ -317,8 +302,7 @@ impl WedgeModel {
             let ring = growth.shown(surface, next(corner)).unwrap_or(NONE);
             let wedge = match before {
                 Some(PatchCorner { wedge, old: old_before, ring: ring_before }) if old_before == old => {
-                    let earlier = if self.is_first_version() { 0 } else { outcome };
-                    let context = usize::from(ring != ring_before) + 2 * earlier;
+                    let context = usize::from(ring != ring_before) + 2 * outcome;
                     let continues =
                         self.continues[context].code(coder, out.source_vertices[wedge as usize] == actual);
                     outcome = 1 + usize::from(continues);
@@ -340,12 +324,7 @@ impl WedgeModel {
         excluded: Option<u32>,
         out: &mut SplitWedges,
     ) -> u32 {
-        let found = if self.is_first_version() {
-            self.matching_wedge(coder, (actual, target), excluded, out)
-        } else {
-            self.recent_wedge(coder, (actual, target), excluded, out)
-        };
-        found.unwrap_or_else(|| {
+        self.existing_wedge(coder, (actual, target), excluded, out).unwrap_or_else(|| {
             out.targets.push(target);
             out.source_vertices.push(actual);
             let wedge = out.targets.len() as u32 - 1;
@@ -356,21 +335,8 @@ impl WedgeModel {
         })
     }
 
-    /// Version 1 offers all wedges with this target.
-    fn matching_wedge<C: Coder>(
-        &mut self,
-        coder: &mut C,
-        (actual, target): (u32, u32),
-        excluded: Option<u32>,
-        out: &SplitWedges,
-    ) -> Option<u32> {
-        let wedges = (0..).zip(out.targets.iter().zip(&out.source_vertices));
-        let mut fits = wedges.filter(|(wedge, (of, _))| **of == target && excluded != Some(*wedge));
-        fits.find(|(_, (_, name))| self.is_other[0].code(coder, **name == actual)).map(|(wedge, _)| wedge)
-    }
-
-    /// Version 2 offers the latest wedges with this target, and codes the index of any older one.
-    fn recent_wedge<C: Coder>(
+    /// Offers the latest wedges with this target, and codes the index of any older one.
+    fn existing_wedge<C: Coder>(
         &mut self,
         coder: &mut C,
         (actual, target): (u32, u32),
@@ -455,8 +421,7 @@ impl WedgeModel {
         }
         let is_adjacent = out.source_vertices[adjacent as usize] == actual;
         let has_one_corner_at_most = self.hidden.has_one_corner_at_most(kept);
-        let context =
-            if self.is_first_version() { 0 } else { 2 * of_end + usize::from(has_one_corner_at_most) };
+        let context = 2 * of_end + usize::from(has_one_corner_at_most);
         if self.joins_patch[context].code(coder, is_adjacent) {
             return adjacent;
         }

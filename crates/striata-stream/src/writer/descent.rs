@@ -9,8 +9,6 @@ use std::ops::Range;
 use striata::mesh::RefinableMesh;
 use striata::{Progress, ProgressFn};
 
-use crate::format::version::StreamVersion;
-use crate::writer::defect::BatchDefect;
 use crate::writer::encode::StreamError;
 use crate::writer::general_stage::GeneralStage;
 use crate::writer::level::{LevelTriangles, check_base};
@@ -46,12 +44,10 @@ impl Descent {
     /// number of steps.
     ///
     /// # Errors
-    /// [`BatchDefect`] if a step is invalid, or if the version does not support general batches and one
-    /// would be required; also if the callback cancels.
+    /// [`BatchDefect`](crate::writer::defect::BatchDefect) if a step is invalid; also if the callback cancels.
     pub(crate) fn new(
         refinable: &RefinableMesh,
         batches: &[u32],
-        version: StreamVersion,
         progress: &mut ProgressFn<'_>,
     ) -> Result<Self, StreamError> {
         let mut must_be_general = vec![false; batches.len() - 1];
@@ -59,7 +55,7 @@ impl Descent {
         // simplifier that considers all copies of a position. We turn the affected batches into general
         // ones and start again.
         loop {
-            match Self::attempt(refinable, batches, (version, &must_be_general), progress)? {
+            match Self::attempt(refinable, batches, &must_be_general, progress)? {
                 Attempt::Complete(descent) => return Ok(descent),
                 Attempt::SurfaceDiffers(range) => must_be_general[range].fill(true),
             }
@@ -69,7 +65,7 @@ impl Descent {
     fn attempt(
         refinable: &RefinableMesh,
         batches: &[u32],
-        (version, must_be_general): (StreamVersion, &[bool]),
+        must_be_general: &[bool],
         progress: &mut ProgressFn<'_>,
     ) -> Result<Attempt, StreamError> {
         let mut level = LevelTriangles::new(refinable);
@@ -81,27 +77,20 @@ impl Descent {
             let done = step_count.saturating_sub(u64::from(batches[batch + 1]));
             Progress { phase: "encode", done, total: 2 * step_count }.report(progress)?;
             let steps = batches[batch] as usize..batches[batch + 1] as usize;
-            let result = match must_be_general[batch] {
-                true => Err(BatchDefect::Dependent { batch }),
-                false => stage.collapse(&mut level, refinable, (batch, steps.clone())),
-            };
-            match result {
-                Ok(()) => visits[batch] = stage.vertex_count() as u64,
-                Err(defect @ BatchDefect::Wedges { .. }) => return Err(defect.into()),
-                Err(defect) if version == StreamVersion::One => return Err(defect.into()),
-                Err(_) => {
-                    stage.finish(&mut level);
-                    if !stage.batches().is_empty() && !stage.matches_rebuilt(&level, refinable) {
-                        return Ok(Attempt::SurfaceDiffers(stage.batches()));
-                    }
-                    stages.push(Stage::Surface(stage));
-                    let general = GeneralStage::new(&mut level, refinable, steps)?;
-                    visits[batch] = general.visits;
-                    stages.push(Stage::General(general));
-                    stage = SurfaceStage::new(&level, refinable, batch);
-                    visits[batch] += (stage.vertex_count() + level.alive.len()) as u64;
-                }
+            if !must_be_general[batch] && stage.collapse(&mut level, refinable, (batch, steps.clone()))? {
+                visits[batch] = stage.vertex_count() as u64;
+                continue;
             }
+            stage.finish(&mut level);
+            if !stage.batches().is_empty() && !stage.matches_rebuilt(&level, refinable) {
+                return Ok(Attempt::SurfaceDiffers(stage.batches()));
+            }
+            stages.push(Stage::Surface(stage));
+            let general = GeneralStage::new(&mut level, refinable, steps)?;
+            visits[batch] = general.visits;
+            stages.push(Stage::General(general));
+            stage = SurfaceStage::new(&level, refinable, batch);
+            visits[batch] += (stage.vertex_count() + level.alive.len()) as u64;
         }
         stage.finish(&mut level);
         check_base(&level, refinable)?;

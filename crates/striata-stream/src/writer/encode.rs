@@ -5,9 +5,9 @@ use striata::mesh::{Bounds, IndexedMesh, MeshError, RefinableMesh};
 use striata::{Cancelled, ProgressFn, ignore_progress};
 
 use crate::base::coder::BaseLimits;
+use crate::format::effort::Effort;
 use crate::format::grid::{GridError, PositionGrid};
 use crate::format::header::{ChunkEntry, GroupName, MAX_COMPONENTS, StreamHeader};
-use crate::format::version::{Effort, StreamVersion};
 use crate::layers::form::LayerForm;
 use crate::layers::layer_neighborhood::LayerValues;
 use crate::layers::options::{LayerBitsError, LayerOptions};
@@ -54,8 +54,6 @@ pub struct StreamOptions {
     pub effort: Effort,
     /// Precision of the attribute layers.
     pub layers: LayerOptions,
-    /// Version of the bitstream format; default [`StreamVersion::Two`].
-    pub version: StreamVersion,
     /// Key and value pairs stored with the stream; none by default.
     pub metadata: Vec<(String, String)>,
 }
@@ -69,11 +67,6 @@ impl StreamOptions {
     /// Sets [`Self::effort`].
     pub fn with_effort(self, effort: Effort) -> Self {
         Self { effort, ..self }
-    }
-
-    /// Sets [`Self::version`].
-    pub fn with_version(self, version: StreamVersion) -> Self {
-        Self { version, ..self }
     }
 
     /// Sets [`Self::layers`].
@@ -225,7 +218,6 @@ pub fn encode_stream_with_progress(
     let points = points_of(refinable, &grid, &forms);
     let position_count = points.coords.len() as u32;
     let parameters = StreamParameters {
-        version: options.version,
         has_general: false,
         effort: options.effort,
         grid,
@@ -237,21 +229,18 @@ pub fn encode_stream_with_progress(
         group_count: refinable.mesh.groups.len() as u32,
         layers: forms,
     };
-    let mut descent = Descent::new(refinable, batches, parameters.version, progress)?;
+    let mut descent = Descent::new(refinable, batches, progress)?;
     let first = first_batch(&parameters, &descent);
     let shortened = (first > 0).then(|| refinable.clone().without_levels_below(batches[first] as usize));
     let refinable = shortened.as_ref().unwrap_or(refinable);
     let batches: Vec<u32> = batches[first..].iter().map(|n| n - batches[first]).collect();
     let batches = batches.as_slice();
     if first > 0 {
-        descent = Descent::new(refinable, batches, parameters.version, progress)?;
+        descent = Descent::new(refinable, batches, progress)?;
     }
     let chunks = encode_chunks(refinable, (&descent, batches), (&points, &parameters), progress)?;
     let source_vertex = source_vertices(refinable, &chunks);
-    // The first version has no data of triangles.
-    let data = (options.version > StreamVersion::One)
-        .then(|| triangle_data::encode(&in_stream_order(&refinable.mesh, &source_vertex)))
-        .flatten();
+    let data = triangle_data::encode(&in_stream_order(&refinable.mesh, &source_vertex));
     let mut header = header_of(refinable, batches, &chunks, (options, &parameters));
     let (entry, data) = data.unzip();
     header.triangle_data = entry;
@@ -336,7 +325,6 @@ fn header_of(
     });
     StreamHeader {
         length: 0,
-        version: options.version,
         effort: options.effort,
         is_exact: options.precision == Precision::Lossless,
         position_count: sequence.positions().position_count() as u32,

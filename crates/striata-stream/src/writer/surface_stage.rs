@@ -6,7 +6,7 @@ use striata::mesh::RefinableMesh;
 
 use crate::topology::cutting::Closed;
 use crate::topology::surface::{NONE, Surface, Undo, next, previous, triangle_of};
-use crate::writer::defect::{BatchDefect, StepDefect};
+use crate::writer::defect::BatchDefect;
 use crate::writer::level::{LevelTriangles, close_level};
 
 /// A surface that is collapsed in batches.
@@ -69,18 +69,17 @@ impl SurfaceStage {
         self.batches.clone()
     }
 
-    /// Applies the collapses of a batch, the last one first.
+    /// Applies the collapses of a batch, the last one first. Returns false, and leaves the surface unchanged,
+    /// if a step is not a valid collapse of a surface or depends on another step of the batch.
     ///
     /// # Errors
-    /// [`BatchDefect`] if a step is not a valid collapse of a surface or depends on another step of the
-    /// batch; the surface is then unchanged. [`BatchDefect::Wedges`] if a triangle would not become
-    /// degenerate.
+    /// [`BatchDefect::Wedges`] if a triangle would not become degenerate.
     pub(crate) fn collapse(
         &mut self,
         level: &mut LevelTriangles,
         refinable: &RefinableMesh,
         (batch, steps): (usize, Range<usize>),
-    ) -> Result<(), BatchDefect> {
+    ) -> Result<bool, BatchDefect> {
         let before = self.undo.len();
         let sequence = &refinable.sequence;
         let base = sequence.base_position_count() as u32;
@@ -88,28 +87,21 @@ impl SurfaceStage {
             let position = base + step as u32;
             let target =
                 sequence.positions().position_of(sequence.target(sequence.step_vertices(step).start));
-            let found = self.find(position, target).map_err(|defect| BatchDefect::Step { step, defect });
-            let found = found.and_then(|corner| {
+            let found = self.find(position, target).filter(|&corner| {
                 let mark = batch as u32 + 1;
                 let kept = self.surface.vertex(next(corner)) as usize;
                 let is_free = std::mem::replace(&mut self.kept_in[kept], mark) != mark;
-                (is_free && self.mark_ring(corner, mark))
-                    .then_some(corner)
-                    .ok_or(BatchDefect::Dependent { batch })
+                is_free && self.mark_ring(corner, mark)
             });
-            match found {
-                Ok(corner) => {
-                    let undo = self.surface.collapse(corner);
-                    self.undo.push(undo);
+            let Some(corner) = found else {
+                while self.undo.len() > before {
+                    let undo = self.undo.pop();
+                    undo.iter().for_each(|undo| self.surface.undo_collapse(undo));
                 }
-                Err(defect) => {
-                    while self.undo.len() > before {
-                        let undo = self.undo.pop();
-                        undo.iter().for_each(|undo| self.surface.undo_collapse(undo));
-                    }
-                    return Err(defect);
-                }
-            }
+                return Ok(false);
+            };
+            let undo = self.surface.collapse(corner);
+            self.undo.push(undo);
         }
         for (at, step) in (before..self.undo.len()).zip(steps.clone().rev()) {
             self.check_removed(at, step, (level, refinable))?;
@@ -117,26 +109,25 @@ impl SurfaceStage {
         }
         self.batches.start = batch;
         self.first_step = steps.start as u32;
-        Ok(())
+        Ok(true)
     }
 
-    /// Returns the corner from which a position's collapse to its target can be applied.
-    fn find(&self, position: u32, target: u32) -> Result<u32, StepDefect> {
+    /// Returns the corner from which a position's collapse to its target can be applied, if it can.
+    fn find(&self, position: u32, target: u32) -> Option<u32> {
         if self.is_locked[position as usize] {
-            return Err(StepDefect::Locked);
+            return None;
         }
         let surface = &self.surface;
         let virtual_count = surface.virtual_count();
         // A position with one copy has the same index as the copy, relative to the used positions.
-        let copy = self.copy_of(position).ok_or(StepDefect::Locked)?;
+        let copy = self.copy_of(position)?;
         let is_target = |v: u32| {
             v.checked_sub(virtual_count).is_some_and(|copy| self.position_of_copy[copy as usize] == target)
         };
         let mut edges = surface.ring(virtual_count + copy).filter(|&c| is_target(surface.vertex(next(c))));
-        match (edges.next(), edges.next()) {
-            (Some(corner), None) => check_ring(surface, corner).map(|()| corner),
-            _ => Err(StepDefect::Edge),
-        }
+        // A second edge to the target would become a loop.
+        let corner = edges.next()?;
+        (edges.next().is_none() && can_collapse(surface, corner)).then_some(corner)
     }
 
     /// Returns the first copy of a position.
@@ -273,14 +264,15 @@ impl SurfaceStage {
     }
 }
 
-/// Checks that the ring around a corner's vertex allows a collapse.
-fn check_ring(surface: &Surface, corner: u32) -> Result<(), StepDefect> {
+/// Whether the ring around a corner's vertex allows a collapse: it is simple and large enough, and the vertex
+/// does not leave a boundary.
+fn can_collapse(surface: &Surface, corner: u32) -> bool {
     let mut ring = Vec::with_capacity(8);
     let mut here = corner;
     loop {
         let vertex = surface.vertex(next(here));
         if ring.contains(&vertex) {
-            return Err(StepDefect::Ring);
+            return false;
         }
         ring.push(vertex);
         here = surface.swing(here);
@@ -289,16 +281,10 @@ fn check_ring(surface: &Surface, corner: u32) -> Result<(), StepDefect> {
         }
     }
     // Ring: u, r0, .., rk. Only r0 or rk may be virtual.
-    if ring.len() < 3 {
-        return Err(StepDefect::Ring);
-    }
-    if ring[2..ring.len() - 1].iter().any(|&v| surface.is_virtual(v)) {
-        return Err(StepDefect::Boundary);
+    if ring.len() < 3 || ring[2..ring.len() - 1].iter().any(|&v| surface.is_virtual(v)) {
+        return false;
     }
     // At least one triangle must remain around the target next to the run that it receives.
     let outside = surface.opposite(previous(surface.swing(corner)));
-    if surface.vertex(outside) == ring[0] && ring.len() == 3 && surface.ring(ring[0]).count() == 3 {
-        return Err(StepDefect::Ring);
-    }
-    Ok(())
+    surface.vertex(outside) != ring[0] || ring.len() != 3 || surface.ring(ring[0]).count() != 3
 }

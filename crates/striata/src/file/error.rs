@@ -16,7 +16,14 @@ pub enum DecodeError {
         found: Vec<u8>,
     },
     /// The file has a format version that this reader does not support.
-    #[error("the file has format version {found}, but this reader supports only version {supported}")]
+    #[error(
+        "the file has format version {found}, but this reader supports only version {supported}{}",
+        if .found < .supported {
+            "; an older version of striata made it, so it must be built or encoded again"
+        } else {
+            ""
+        }
+    )]
     Version {
         /// Version of the file.
         found: u32,
