@@ -24,6 +24,7 @@ __all__ = [
     "PagedLodData",
     "PlanData",
     "SceneData",
+    "StripLevelData",
     "ViewData",
     "__version__",
     "build",
