@@ -143,6 +143,9 @@ fn strips_of_other_tools_are_taken_over() {
     assert!(refused("0 1 2\n0 1 5\n").contains("line 2: no vertex 5"));
     assert!(refused("t 0 1 2\n").contains("vertices are 1 to 5"));
     assert!(refused("2 1 0\n").contains("none of its triangles"));
+    bench.write("nothing.off", "OFF\n0 0 0\n");
+    let nothing = bench.refused("build nothing.off -o refused.striata --strips-from list.txt");
+    assert!(nothing.contains("the input has no vertices"), "{nothing}");
     bench.refused("build square.obj -o refused.striata --strips-from missing.txt");
     bench.refused("build square.obj -o refused.striata --models fans --strips-from list.txt");
     assert!(!bench.path("refused.striata").exists());

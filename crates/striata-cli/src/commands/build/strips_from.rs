@@ -155,9 +155,11 @@ fn strips_of_text(text: &str, name: &str, positions: &[[f32; 3]]) -> Result<Vec<
         for word in rest.split([' ', '\t', ',']).filter(|word| !word.is_empty()) {
             let vertex = word.parse::<usize>().ok().and_then(|vertex| vertex.checked_sub(first));
             let Some(&position) = vertex.and_then(|vertex| positions.get(vertex)) else {
-                let range = format!("{first} to {}", positions.len() + first - 1);
-                return Err(Failure::user(format!("{name}: line {number}: no vertex {word}"))
-                    .with_hint(format!("vertices are {range}")));
+                let hint = match positions.len() {
+                    0 => "the input has no vertices".to_owned(),
+                    count => format!("vertices are {first} to {}", count - 1 + first),
+                };
+                return Err(Failure::user(format!("{name}: line {number}: no vertex {word}")).with_hint(hint));
             };
             if strips.is_empty() {
                 strips.push(Vec::new());
