@@ -6,6 +6,7 @@ mod command;
 mod cpu_time;
 mod gltf;
 mod golden;
+mod house;
 mod licenses;
 #[cfg(test)]
 mod links;
@@ -60,6 +61,12 @@ enum Task {
     Licenses,
     /// Run only the check of the oldest Rust: compile with the version in `rust-version`
     OldestRust,
+    /// Run only the checks of the shape of the code: circles of files, tuple parameters, weak names
+    House {
+        /// List each place, even within the limits
+        #[arg(long)]
+        list: bool,
+    },
     /// List or verify the tables in the docs: run their commands, compare counts and sizes
     Results(results::ResultsArgs),
 }
@@ -78,6 +85,7 @@ fn main() -> ExitCode {
         Task::Packages => packages::run(),
         Task::Licenses => licenses::check(),
         Task::OldestRust => oldest_rust::check(),
+        Task::House { list } => house::check(list),
         Task::Results(args) => results::run(&args),
     };
     match outcome {

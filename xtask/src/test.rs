@@ -9,7 +9,7 @@ use anyhow::Result;
 use crate::command::FULL;
 use crate::machine::{self, WASM_TARGET};
 use crate::steps::{self, Steps, cargo, say};
-use crate::{bare, browser, golden, licenses, oldest_rust, packages, py, web};
+use crate::{bare, browser, golden, house, licenses, oldest_rust, packages, py, web};
 
 /// Crates and feature sets that must compile separately.
 const FEATURES_ALONE: &[(&str, &str)] = &[
@@ -56,6 +56,7 @@ fn run_all(steps: &mut Steps) -> Result<()> {
     steps.step("bare machines", bare::run)?;
     steps.step("machine", machine::prepare)?;
     steps.step("format", || steps::run(&mut cargo(&["fmt", "--all", "--check"])))?;
+    steps.step("shape of the code", || house::check(false))?;
     steps.step("clippy", || {
         steps::run(&mut cargo(&[
             "clippy",
