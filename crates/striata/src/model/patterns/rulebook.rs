@@ -1,9 +1,10 @@
 //! Finds the rule of each fragment, adding new rules as they occur.
 //!
-//! If the ceiling is a ring or an open run of triangles around one vertex, the other vertices are numbered
-//! along it, starting at the rotation that yields the smallest floor. Otherwise (seams, non-manifold edges)
-//! vertices are numbered in order of first use; such fragments are valid too, but rarely share a rule.
+//! If the border of the ceiling is one simple loop, vertices are numbered along it, from the place that yields the
+//! smallest triangles. Otherwise (seams, non-manifold edges) vertices are numbered in order of first use; such fragments
+//! are valid too, but rarely share a rule.
 
+use std::cmp::Reverse;
 use std::collections::HashMap;
 
 use super::rule::{Rule, first_corner};
@@ -54,9 +55,9 @@ impl<'a> Rulebook<'a> {
         let own: Vec<u32> = self.fragments.levels().step_vertices(step as usize).collect();
         let ceiling: Vec<u32> = self.fragments.ceiling(step).collect();
         let is_small = ceiling.len().max(self.fragments.floor(step).len()) <= MAX_ROTATED;
-        let ring = if is_small { self.ring_of(&own, &ceiling) } else { None };
-        let (rule, mut matched) = match ring {
-            Some(ring) => self.match_ring(step, own[0], &ring),
+        let border = if is_small { self.border_of(&own, &ceiling) } else { None };
+        let (rule, mut matched) = match border {
+            Some(border) => self.match_border(step, &own, &border),
             None => self.match_by_first_use(step, own, ceiling),
         };
         let fresh = self.rules.len() as u32;
@@ -75,71 +76,105 @@ impl<'a> Rulebook<'a> {
         if self.is_grouped { faces.iter().map(|&face| self.face(face).group).collect() } else { Vec::new() }
     }
 
-    /// Returns the triangles around the only restored vertex, if they form one ring or one open run.
-    fn ring_of(&self, own: &[u32], ceiling: &[u32]) -> Option<Ring> {
-        let &[center] = own else { return None };
-        let mut arcs = Vec::with_capacity(ceiling.len());
-        for &face in ceiling {
-            let [_, from, to] = first_corner(self.face(face).corners, center);
-            arcs.push((from, to, face));
+    /// Returns the border of a ceiling from its smallest vertex on; `None` if it is not one simple loop, or if other
+    /// vertices than those that the step restores are inside.
+    fn border_of(&self, own: &[u32], ceiling: &[u32]) -> Option<Vec<u32>> {
+        let sides = |&face: &u32| {
+            let [a, b, c] = self.face(face).corners;
+            [[a, b], [b, c], [c, a]]
+        };
+        let mut sides: Vec<[u32; 2]> = ceiling.iter().flat_map(sides).collect();
+        sides.sort_unstable();
+        if sides.windows(2).any(|pair| pair[0] == pair[1]) {
+            return None;
         }
-        Ring::of(arcs)
+        let is_border = |&[a, b]: &[u32; 2]| sides.binary_search(&[b, a]).is_err();
+        let outer: Vec<[u32; 2]> = sides.iter().copied().filter(is_border).collect();
+        let first = outer.first()?[0];
+        let mut border = vec![first];
+        loop {
+            let mut after = outer.iter().filter(|side| side[0] == border[border.len() - 1]);
+            let (Some(&[_, next]), None) = (after.next(), after.next()) else { return None };
+            if next == first {
+                break;
+            }
+            if border.len() == outer.len() {
+                return None;
+            }
+            border.push(next);
+        }
+        let is_known = |side: &[u32; 2]| own.contains(&side[0]) || border.contains(&side[0]);
+        (border.len() == outer.len() && sides.iter().all(is_known)).then_some(border)
     }
 
-    /// Numbers the vertices along the ring, using the rotation that yields the smallest floor.
-    fn match_ring(&self, step: u32, center: u32, ring: &Ring) -> (Rule, Matched) {
-        let floor_faces = self.fragments.floor(step);
-        let turns = if ring.is_closed { ring.vertices.len() } else { 1 };
-        let Some(triangles) = self.local_triangles(ring, floor_faces) else {
-            // A vertex of the floor is not on the ring, because the target is elsewhere.
-            return self.match_by_first_use(step, vec![center], self.fragments.ceiling(step).collect());
+    /// Numbers the vertices along the border of the ceiling, from the place that yields the smallest triangles. On a
+    /// border with restored vertices, it begins after one of them.
+    fn match_border(&self, step: u32, own: &[u32], border: &[u32]) -> (Rule, Matched) {
+        let [ceiling, floor]: [Vec<u32>; 2] =
+            [self.fragments.ceiling(step).collect(), self.fragments.floor(step).to_vec()];
+        let elsewhere = self.floor_vertices_elsewhere(own, border, &floor);
+        let count = border.len();
+        let is_own = |place: usize| own.contains(&border[place % count]);
+        let has_own = (0..count).any(is_own);
+        let turns = (0..count).filter(|&turn| !has_own || (!is_own(turn) && is_own(turn + count - 1)));
+        let numbered = turns.map(|turn| {
+            let around = (0..count).map(|i| border[(i + turn) % count]).filter(|v| !own.contains(v));
+            let locals: Vec<u32> =
+                own.iter().copied().chain(around).chain(elsewhere.iter().copied()).collect();
+            let [ceiling, floor] = [&ceiling, &floor].map(|faces| self.numbered(faces, &locals));
+            (fans(ceiling, own.len() as u32), floor, locals)
+        });
+        let shapes = |triangles: &[LocalTriangle]| {
+            triangles.iter().map(|triangle| triangle.locals).collect::<Vec<_>>()
         };
-        let mut best: Option<(Vec<LocalTriangle>, Vec<u32>, usize)> = None;
-        for turn in 0..turns {
-            let floor = rotated_floor(&triangles, ring.vertices.len(), turn);
-            let mut faces = ring.faces.clone();
-            faces.rotate_left(turn);
-            let groups = self.groups(&faces);
-            let is_less = best.as_ref().is_none_or(|(old, old_groups, _)| {
-                let order = floor.iter().map(LocalTriangle::shape).cmp(old.iter().map(LocalTriangle::shape));
-                order.then_with(|| groups.cmp(old_groups)).is_lt()
-            });
-            if is_less {
-                best = Some((floor, groups, turn));
-            }
-        }
-        let (floor, ceiling_groups, turn) = best.expect("a ring has a vertex");
-        let count = ring.vertices.len();
-        let local = |i: usize| 1 + (i % count) as u32;
-        let mut faces = ring.faces.clone();
-        faces.rotate_left(turn);
-        let locals = std::iter::once(center).chain((0..count).map(|i| ring.vertices[(i + turn) % count]));
-        let floor_faces = floor.iter().map(|triangle| triangle.face).collect::<Vec<_>>();
+        let groups =
+            |triangles: &[LocalTriangle]| triangles.iter().map(|triangle| triangle.group).collect::<Vec<_>>();
+        let least = numbered.min_by_key(|(ceiling, floor, _)| {
+            (shapes(ceiling), floor.iter().map(LocalTriangle::shape).collect::<Vec<_>>(), groups(ceiling))
+        });
+        let Some((ceiling, floor, locals)) = least else {
+            // The border has only restored vertices.
+            return self.match_by_first_use(step, own.to_vec(), ceiling);
+        };
+        let groups = |triangles| if self.is_grouped { groups(triangles) } else { Vec::new() };
         let rule = Rule {
-            own_count: 1,
-            local_count: 1 + count as u32,
-            ceiling: (0..faces.len()).map(|s| [0, local(s), local(s + 1)]).collect(),
-            floor: floor.iter().map(|triangle| triangle.locals).collect(),
-            ceiling_groups,
-            floor_groups: self.groups(&floor_faces),
+            own_count: own.len() as u32,
+            local_count: locals.len() as u32,
+            ceiling: shapes(&ceiling),
+            floor: shapes(&floor),
+            ceiling_groups: groups(&ceiling),
+            floor_groups: groups(&floor),
             ..Rule::default()
         };
-        (rule, Matched { rule: 0, locals: locals.collect(), ceiling: faces, floor: floor_faces })
+        let [ceiling, floor] = [ceiling, floor].map(|all| all.iter().map(|triangle| triangle.face).collect());
+        (rule, Matched { rule: 0, locals, ceiling, floor })
     }
 
-    /// Expresses faces by the indices of their corners on a ring; `None` if a corner is not on it.
-    fn local_triangles(&self, ring: &Ring, faces: &[u32]) -> Option<Vec<LocalTriangle>> {
-        let mut out = Vec::with_capacity(faces.len());
-        for &index in faces {
-            let face = self.face(index);
-            let mut locals = [0; 3];
-            for (local, corner) in locals.iter_mut().zip(face.corners) {
-                *local = ring.vertices.iter().position(|&v| v == corner)? as u32;
-            }
-            let group = if self.is_grouped { face.group } else { 0 };
-            out.push(LocalTriangle { locals, group, face: index });
-        }
-        Some(out)
+    /// Returns the vertices of a floor that are not on the border: new vertices that only the floor has, or a target
+    /// elsewhere. The youngest comes first.
+    fn floor_vertices_elsewhere(&self, own: &[u32], border: &[u32], floor: &[u32]) -> Vec<u32> {
+        let mut found: Vec<u32> = floor.iter().flat_map(|&face| self.face(face).corners).collect();
+        found.retain(|v| !border.contains(v) && !own.contains(v));
+        found.sort_unstable_by_key(|&v| Reverse(v));
+        found.dedup();
+        found
+    }
+
+    /// Expresses faces by the places of their corners among `locals`, sorted.
+    fn numbered(&self, faces: &[u32], locals: &[u32]) -> Vec<LocalTriangle> {
+        let number =
+            |v: u32| locals.iter().position(|&local| local == v).expect("all vertices are numbered") as u32;
+        let mut out: Vec<LocalTriangle> = faces
+            .iter()
+            .map(|&index| {
+                let face = self.face(index);
+                let [a, b, c] = face.corners.map(number);
+                let group = if self.is_grouped { face.group } else { 0 };
+                LocalTriangle { locals: first_corner([a, b, c], a.min(b).min(c)), group, face: index }
+            })
+            .collect();
+        out.sort_unstable();
+        out
     }
 
     /// Numbers the vertices in the order in which the triangles use them.
@@ -173,7 +208,7 @@ impl<'a> Rulebook<'a> {
     }
 }
 
-/// A triangle of a floor in local vertex indices.
+/// A triangle in local vertex indices.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct LocalTriangle {
     locals: [u32; 3],
@@ -187,50 +222,29 @@ impl LocalTriangle {
     }
 }
 
-/// Returns a floor after rotating a ring of `count` vertices by `turn`, sorted.
-fn rotated_floor(triangles: &[LocalTriangle], count: usize, turn: usize) -> Vec<LocalTriangle> {
-    let local = |i: u32| 1 + ((i as usize + count - turn) % count) as u32;
-    let rotated = triangles.iter().map(|&triangle| {
-        let [a, b, c] = triangle.locals.map(local);
-        LocalTriangle { locals: first_corner([a, b, c], a.min(b).min(c)), ..triangle }
-    });
-    let mut out: Vec<LocalTriangle> = rotated.collect();
-    out.sort_unstable();
-    out
-}
-
-/// Consecutive triangles around a vertex.
-struct Ring {
-    is_closed: bool,
-    vertices: Vec<u32>,
-    faces: Vec<u32>,
-}
-
-impl Ring {
-    /// Builds a ring from arcs (corner after the center, corner after that, face). `None` if they do not
-    /// form a single run without repeated vertices.
-    fn of(mut arcs: Vec<(u32, u32, u32)>) -> Option<Self> {
-        let is_end = |v: u32| arcs.iter().any(|arc| arc.1 == v);
-        let starts = arcs.iter().filter(|arc| !is_end(arc.0)).count();
-        let first = match starts {
-            0 => arcs.iter().map(|arc| arc.0).min()?,
-            1 => arcs.iter().find(|arc| !is_end(arc.0))?.0,
-            _ => return None,
-        };
-        let mut ring = Self { is_closed: starts == 0, vertices: vec![first], faces: Vec::new() };
-        let mut at = first;
-        while let Some(found) = arcs.iter().position(|arc| arc.0 == at) {
-            let (_, to, face) = arcs.swap_remove(found);
-            ring.faces.push(face);
-            at = to;
-            if at == first {
-                break;
-            }
-            if ring.vertices.contains(&at) {
-                return None;
-            }
-            ring.vertices.push(at);
-        }
-        (arcs.is_empty() && ring.is_closed == (at == first)).then_some(ring)
+/// Sorts the triangles of a ceiling by their youngest vertices, those of each vertex in their order around it, so that
+/// as many as possible follow each other in the floors above.
+fn fans(mut triangles: Vec<LocalTriangle>, own_count: u32) -> Vec<LocalTriangle> {
+    for triangle in &mut triangles {
+        let youngest = triangle.locals.into_iter().filter(|&local| local < own_count).max();
+        triangle.locals = first_corner(triangle.locals, youngest.unwrap_or(triangle.locals[0]));
     }
+    triangles.sort_unstable();
+    let mut sorted: Vec<LocalTriangle> = Vec::with_capacity(triangles.len());
+    while !triangles.is_empty() {
+        let [center, ..] = triangles[0].locals;
+        let around = |triangle: &&LocalTriangle| triangle.locals[0] == center;
+        let is_preceded = |at: &LocalTriangle| {
+            triangles.iter().filter(around).any(|triangle| triangle.locals[2] == at.locals[1])
+        };
+        let first = triangles.iter().take_while(around).position(|triangle| !is_preceded(triangle));
+        let mut next = Some(first.unwrap_or(0));
+        while let Some(at) = next {
+            let triangle = triangles.remove(at);
+            sorted.push(triangle);
+            next =
+                triangles.iter().take_while(around).position(|after| after.locals[1] == triangle.locals[2]);
+        }
+    }
+    sorted
 }
