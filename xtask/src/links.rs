@@ -27,7 +27,7 @@ fn has_heading(text: &str, anchor: &str) -> bool {
     text.lines().filter(|line| line.starts_with('#')).any(|line| anchor_of(line) == anchor)
 }
 
-/// Returns what is wrong with a link of a page.
+/// Returns the defect of a link of a page in words, if it has one.
 fn defect(page: &Path, text: &str, link: &str) -> Option<String> {
     let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
     let target = if file.is_empty() { page.to_path_buf() } else { page.parent()?.join(file) };

@@ -29,6 +29,7 @@ use crate::machine::{self, WASM_TARGET};
 use crate::steps::{self, say};
 use crate::workspace;
 use stamp::Stamp;
+use wasm::folder;
 
 pub(crate) use wasm::rustc_output;
 
@@ -134,10 +135,6 @@ fn build_viewer(into: &Path) -> Result<()> {
     let mut command = Command::new("npm");
     command.args(["run", "--silent", "build:viewer"]).current_dir(folder());
     steps::run(command.env("STRIATA_WEB_VIEWER", into))
-}
-
-fn folder() -> PathBuf {
-    workspace().join("web")
 }
 
 fn dist() -> PathBuf {

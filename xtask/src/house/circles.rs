@@ -30,18 +30,24 @@ pub(super) fn circles(sources: &Sources) -> Result<Found> {
     let mut found = Vec::new();
     for files in crates.values() {
         let modules = Modules::new(files);
-        let mut graph = DiGraphMap::<usize, ()>::new();
+        let mut graph = DiGraphMap::<usize, BTreeSet<&str>>::new();
         for file in 0..files.len() {
             graph.add_node(file);
-            modules.used_by(file).into_iter().filter(|&other| other != file).for_each(|other| {
-                graph.add_edge(file, other, ());
-            });
+            for (other, names) in modules.used_by(file) {
+                graph.add_edge(file, other, names);
+            }
         }
+        let path = |file: usize| files[file].path.display();
         for mut circle in tarjan_scc(&graph).into_iter().filter(|circle| circle.len() > 1) {
             circle.sort_unstable();
-            let names: Vec<String> =
-                circle.iter().map(|&file| files[file].path.display().to_string()).collect();
-            found.push(names.join(", "));
+            let mut text = circle.iter().map(|&file| path(file).to_string()).collect::<Vec<_>>().join(", ");
+            for (from, to) in circle.iter().flat_map(|&from| circle.iter().map(move |&to| (from, to))) {
+                if let Some(names) = graph.edge_weight(from, to) {
+                    let names: Vec<&str> = names.iter().copied().collect();
+                    text.push_str(&format!("\n    {} -> {}: {}", path(from), path(to), names.join(", ")));
+                }
+            }
+            found.push(text);
         }
     }
     found.sort();
@@ -70,7 +76,7 @@ struct Modules {
     contents: Vec<Content>,
 }
 
-/// What a file defines and imports.
+/// Names that a file defines and imports.
 #[derive(Default)]
 struct Content {
     module: Vec<String>,
@@ -97,10 +103,16 @@ impl Modules {
         Self { files, contents }
     }
 
-    /// Files that define what a file imports.
-    fn used_by(&self, file: usize) -> BTreeSet<usize> {
-        let paths = self.contents[file].paths.iter();
-        paths.filter_map(|path| self.defining_file(file, path, MOST_STEPS)).collect()
+    /// Other files that define what a file imports, and the names of that.
+    fn used_by(&self, file: usize) -> BTreeMap<usize, BTreeSet<&str>> {
+        let mut used: BTreeMap<usize, BTreeSet<&str>> = BTreeMap::new();
+        for path in &self.contents[file].paths {
+            let other = self.defining_file(file, path, MOST_STEPS).filter(|&other| other != file);
+            if let (Some(other), Some(name)) = (other, path.last()) {
+                used.entry(other).or_default().insert(name);
+            }
+        }
+        used
     }
 
     /// The file that defines what a path in a file leads to; `None` if that is outside of the package.
@@ -210,5 +222,52 @@ impl<'ast> Visit<'ast> for Content {
             self.defined.extend(name.map(ToString::to_string));
             visit::visit_item(self, item);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn circles_of(files: &[(&str, &str)]) -> Vec<String> {
+        let parse = |(path, text): &(&str, &str)| Source::parse(Path::new(path), text).expect("Rust");
+        circles(&Sources { files: files.iter().map(parse).collect() }).expect("a count").places
+    }
+
+    #[test]
+    fn files_that_import_each_other_are_a_circle() {
+        let lib = ("a/src/lib.rs", "mod one; mod two;");
+        let one = ("a/src/one.rs", "use crate::two::Two; pub struct One(Two);");
+        let ties =
+            circles_of(&[lib, one, ("a/src/two.rs", "use super::one::One; pub struct Two(Box<One>);")]);
+        assert_eq!(ties.len(), 1);
+        assert!(ties[0].contains("a/src/two.rs -> a/src/one.rs: One"), "{ties:?}");
+        assert!(circles_of(&[lib, one, ("a/src/two.rs", "pub struct Two;")]).is_empty());
+    }
+
+    #[test]
+    fn what_a_module_passes_on_counts_for_the_file_that_defines_it() {
+        let module = ("a/src/m/mod.rs", "mod x; mod y; pub use x::*; pub use y::Y as Other; pub struct Own;");
+        let lib = ("a/src/lib.rs", "mod m;");
+        let free = [
+            lib,
+            module,
+            ("a/src/m/x.rs", "use super::Other; pub struct X;"),
+            ("a/src/m/y.rs", "pub struct Y;"),
+        ];
+        assert!(circles_of(&free).is_empty(), "a module that passes on is no user");
+        let bound = [lib, module, free[2], ("a/src/m/y.rs", "use crate::m::X; pub struct Y;")];
+        let ties = circles_of(&bound);
+        assert!(ties[0].starts_with("a/src/m/x.rs, a/src/m/y.rs"), "{ties:?}");
+    }
+
+    #[test]
+    fn tests_and_other_packages_do_not_count() {
+        let lib = ("a/src/lib.rs", "mod one; mod two;");
+        let one = (
+            "a/src/one.rs",
+            "use std::two::Two; #[cfg(test)] mod tests { use crate::two::Two; } pub struct One;",
+        );
+        assert!(circles_of(&[lib, one, ("a/src/two.rs", "use crate::one::One;")]).is_empty());
     }
 }

@@ -1,4 +1,4 @@
-//! What is counted in each file by itself.
+//! Checks that look at each file by itself.
 
 use std::collections::BTreeMap;
 
@@ -164,4 +164,44 @@ fn in_each<'s, V: Visit<'s>>(
         found(visitor)
     };
     sources.files.iter().flat_map(visit).collect::<Vec<_>>().into()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    fn sources(text: &str) -> Sources {
+        Sources { files: vec![Source::parse(Path::new("a/src/lib.rs"), text).expect("Rust")] }
+    }
+
+    #[test]
+    fn tuples_are_found_behind_references() {
+        let found = tuple_parameters(&sources(
+            "fn a((x, y): (u8, u8)) {} fn b(z: &&(u8, u8)) {} fn c(u: ()) {} struct S; impl S { fn d(&self, t: (S, S)) {} }",
+        ));
+        assert_eq!(
+            found.expect("a count").places,
+            ["a", "b", "d"].map(|name| format!("a/src/lib.rs: {name}"))
+        );
+    }
+
+    #[test]
+    fn only_first_words_of_comments_count() {
+        let text = "//! What it is.\n/// A type.\n/// Where it is.\nstruct A { /// Where b is.\n b: u8 }\n/// The same.\nfn f() {}\n/// Whereas\nfn g() {}";
+        assert_eq!(weak_openings(&sources(text)).expect("a count").count, 2);
+    }
+
+    #[test]
+    fn restricted_items_are_counted_for_lines() {
+        let text = "pub(crate) fn f() {}\npub(super) fn g() {}\npub fn h() {}\nfn i() {}";
+        assert_eq!(restricted_pub(&sources(text)).expect("a count").count, 5_000);
+    }
+
+    #[test]
+    fn types_of_equal_names_are_listed_once() {
+        let text = "struct A; mod m { enum A {} } fn f() { struct B; } struct B; #[cfg(test)] mod tests { struct B; }";
+        assert_eq!(repeated_type_names(&sources(text)).expect("a count").count, 1);
+    }
 }

@@ -35,11 +35,11 @@ impl From<Vec<String>> for Found {
 
 /// The checks, with the counts of today as limits.
 const CHECKS: &[Check] = &[
-    Check { name: "circles of files that use each other", limit: 39, find: circles::circles },
+    Check { name: "circles of files that use each other", limit: 28, find: circles::circles },
     Check { name: "functions with a tuple as parameter", limit: 300, find: counts::tuple_parameters },
     Check {
         name: "doc comments that begin with a word that says nothing",
-        limit: 239,
+        limit: 0,
         find: counts::weak_openings,
     },
     Check { name: "restricted pub per 10,000 lines of Rust", limit: 283, find: counts::restricted_pub },

@@ -44,7 +44,15 @@ impl Source {
     fn read(path: &Path) -> Result<Self> {
         let text = std::fs::read_to_string(workspace().join(path));
         let text = text.with_context(|| path.display().to_string())?;
-        let syntax = syn::parse_file(&text).with_context(|| path.display().to_string())?;
+        Self::parse(path, &text)
+    }
+
+    /// Parses the text of a file.
+    ///
+    /// # Errors
+    /// If it is not Rust.
+    pub(super) fn parse(path: &Path, text: &str) -> Result<Self> {
+        let syntax = syn::parse_file(text).with_context(|| path.display().to_string())?;
         Ok(Self { path: path.to_owned(), line_count: text.lines().count(), syntax })
     }
 }

@@ -6,7 +6,6 @@ use std::process::Command;
 use anyhow::{Context, Result};
 use wasm_bindgen_cli_support::Bindgen;
 
-use super::folder;
 use crate::machine::WASM_TARGET;
 use crate::steps::{self, cargo};
 use crate::workspace;
@@ -39,13 +38,13 @@ pub(super) struct Module {
     optimization: &'static str,
 }
 
-/// What every page loads, and what only pages load that read files without a stream.
+/// Modules of pages: one that every page loads, and one only for pages that read files without a stream.
 pub(super) const MODULES: [Module; 2] = [
     Module { name: "striata", feature: "stream", profile: "web", optimization: "-Os" },
     Module { name: "striata-builder", feature: "build", profile: "web-builder", optimization: "-Oz" },
 ];
 
-/// What the viewer page loads in place of the builder: it also saves models.
+/// Module that the viewer page loads in place of the builder: it also saves models.
 pub(super) const ENCODER: Module =
     Module { name: "striata-encoder", feature: "encode", profile: "web-builder", optimization: "-Oz" };
 
@@ -129,6 +128,11 @@ pub(crate) fn rustc_output(arguments: &[&str]) -> Result<String> {
     let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let output = Command::new(rustc).args(arguments).output().context("cannot start rustc")?;
     Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}
+
+/// Folder of the npm package.
+pub(super) fn folder() -> PathBuf {
+    workspace().join("web")
 }
 
 /// Returns the target folder, according to cargo, since environment variables and configuration files affect
