@@ -4,9 +4,16 @@
 //! triangle then takes six indices, and groups of such strips (flat shading, soups, coarse levels) are
 //! shorter as single triangles.
 
+use std::path::Path;
+
 use striata::mesh::{IndexedMesh, MeshError};
 use striata::model::StripModel;
 use striata::strip::{RESTART, StripSet, stripify};
+use striata_command::args::FormatArgs;
+use striata_command::failure::Failure;
+use striata_command::output::Output;
+use striata_command::save::{format_of, is_stdout};
+use striata_io::Format;
 
 /// One index list per group: a single strip, or an empty list if a triangle list takes fewer indices.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -102,6 +109,34 @@ fn renumbered(strips: &StripSet, new_index: &[Option<u32>]) -> Option<StripSet> 
         out.end_group();
     }
     Some(out)
+}
+
+/// Checks that the output can be written.
+///
+/// # Errors
+/// If its format has no strips, or stdout would have to take both the output and the report.
+pub(crate) fn check_output(path: &Path, format: &FormatArgs, output: &Output) -> Result<(), Failure> {
+    output.check_stdout_is_free(is_stdout(path))?;
+    let format = format_of(path, format)?;
+    let instead = match format {
+        Format::Ply => "use --block-triangles, which writes strips to .ply",
+        _ => "remove -o to see only the cost of the strips",
+    };
+    check_form_fits("strips", path, format, instead)
+}
+
+/// Checks that a format supports strips or fans; `instead` is a hint for the user, besides choosing another
+/// format.
+///
+/// # Errors
+/// If the format does not support them.
+pub(crate) fn check_form_fits(what: &str, path: &Path, format: Format, instead: &str) -> Result<(), Failure> {
+    if matches!(format, Format::Glb | Format::Gltf) {
+        return Ok(());
+    }
+    let name = if is_stdout(path) { "stdout".into() } else { path.to_string_lossy() };
+    Err(Failure::user(format!("{name}: {format} files cannot contain {what}"))
+        .with_hint(format!("write .glb or .gltf (`--to glb` for stdout), or {instead}")))
 }
 
 #[cfg(test)]

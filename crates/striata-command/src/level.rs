@@ -3,12 +3,14 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
+use serde::Serialize;
 use striata::mesh::{IndexedMesh, Levels, MeshError, weld};
 use striata::simplify::{StopReason, Target};
 
 use crate::args::{Count, Level, LevelArgs, LevelsArgs};
 use crate::failure::Failure;
 use crate::output::{Table, format_count, format_length, format_noun_count};
+use crate::save::display_name;
 
 /// Placeholder for the level in the name of an output file.
 const PLACEHOLDER: &str = "{}";
@@ -267,39 +269,118 @@ pub fn check_strict(is_strict: bool, name: Option<&str>, shortfall: Option<&str>
     }
 }
 
-/// A row of the table of levels.
-#[derive(Clone, Debug)]
-pub struct LevelRow<'a> {
-    /// The text that the user wrote for the level.
-    pub name: &'a str,
-    /// Number of triangles.
-    pub triangle_count: usize,
-    /// Number of vertices.
-    pub vertex_count: usize,
-    /// Error of the level, mesh units.
-    pub error: f64,
+/// A level that a verb has written, as far as all verbs report it.
+#[derive(Clone, Debug, Serialize)]
+pub struct WrittenLevel {
+    /// The text that the user wrote for the level, if there are several.
+    #[serde(rename = "level", skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
     /// The output file.
-    pub path: &'a str,
-    /// How the level misses its target, if it does.
-    pub shortfall: Option<&'a str>,
+    pub path: String,
+    /// Number of vertices; those of a mesh of a scene count once.
+    pub vertex_count: usize,
+    /// Number of triangles; those of a mesh of a scene count once for each instance.
+    pub triangle_count: usize,
+    /// Largest error, mesh units; null for a view of a scene.
+    pub error: Option<f64>,
+    /// Why the level is neither finer nor coarser.
+    pub stop_reason: &'static str,
+    /// How the level misses its target; null if it does not.
+    pub shortfall: Option<String>,
+}
+
+impl WrittenLevel {
+    /// Creates the report on a level for a request, without its error.
+    pub fn new(request: &LevelRequest, reached: ReachedLevel, limit: &CoarseningLimit) -> Self {
+        Self {
+            name: request.name.clone(),
+            path: display_name(&request.path),
+            vertex_count: reached.vertex_count,
+            triangle_count: reached.triangle_count,
+            error: None,
+            stop_reason: reached.stop_reason.as_str(),
+            shortfall: request.target.and_then(|target| shortfall(target, reached, limit)),
+        }
+    }
+
+    /// Sets the error, in single precision, with the digits that it needs there.
+    #[must_use]
+    pub fn with_error(self, error: f32) -> Self {
+        Self { error: error.to_string().parse().ok(), ..self }
+    }
+
+    /// Turns a missed target into a failure if `--strict` was given.
+    ///
+    /// # Errors
+    /// If `is_strict` is set and there is a shortfall.
+    pub fn check_strict(&self, is_strict: bool) -> Result<(), Failure> {
+        check_strict(is_strict, self.name.as_deref(), self.shortfall.as_deref())
+    }
+
+    /// Why the level is neither finer nor coarser, in words.
+    pub fn stop_text(&self) -> String {
+        self.stop_reason.replace('_', " ")
+    }
+
+    /// A line about a missed target, after the line break that ends what is before it; empty if it is met.
+    pub fn note(&self) -> String {
+        self.shortfall.as_deref().map_or_else(String::new, |text| format!("\n{}", shortfall_note(None, text)))
+    }
+}
+
+/// The report of a verb that writes levels: the only one, or several in a list, with what they have in common.
+#[derive(Clone, Debug, Serialize)]
+#[serde(untagged)]
+pub enum LevelsReport<L, C> {
+    /// The members of the level are those of the report.
+    One {
+        /// The level.
+        #[serde(flatten)]
+        level: L,
+        /// Members besides those of the level.
+        #[serde(flatten)]
+        common: C,
+    },
+    /// The user asked for a list of levels.
+    Several {
+        /// The levels in the order of the user.
+        levels: Vec<L>,
+        /// Members besides the list.
+        #[serde(flatten)]
+        common: C,
+    },
+}
+
+impl<L, C> LevelsReport<L, C> {
+    /// Creates the report on levels, which are a list if the user asked for one.
+    ///
+    /// # Errors
+    /// If there is no level.
+    pub fn new(mut levels: Vec<L>, is_list: bool, common: C) -> Result<Self, Failure> {
+        if is_list {
+            return Ok(Self::Several { levels, common });
+        }
+        let level = levels.pop().ok_or_else(|| Failure::internal("no level was given"))?;
+        Ok(Self::One { level, common })
+    }
 }
 
 /// Formats several levels as a table, followed by messages about those that miss their target.
-pub fn table_of_levels(rows: &[LevelRow<'_>]) -> String {
+pub fn table_of_levels<'l>(levels: impl Iterator<Item = &'l WrittenLevel> + Clone) -> String {
     let mut table = Table::with_head(&["level", "triangles", "vertices", "error", "file"]);
-    for row in rows {
+    for level in levels.clone() {
         table.row(vec![
-            row.name.to_owned(),
-            format_count(row.triangle_count),
-            format_count(row.vertex_count),
-            format_length(row.error),
-            row.path.to_owned(),
+            level.name.clone().unwrap_or_default(),
+            format_count(level.triangle_count),
+            format_count(level.vertex_count),
+            format_length(level.error.unwrap_or_default()),
+            level.path.clone(),
         ]);
     }
     let mut text = table.to_text();
-    for row in rows {
-        if let Some(shortfall) = row.shortfall {
-            text.push_str(&shortfall_note(Some(row.name), shortfall));
+    for level in levels {
+        if let Some(shortfall) = &level.shortfall {
+            text.push_str(&shortfall_note(level.name.as_deref(), shortfall));
             text.push('\n');
         }
     }

@@ -5,7 +5,7 @@ use striata::file::SCENE_STREAM_MAGIC;
 use striata::mesh::{Appearance, IndexedMesh, Material};
 use striata::simplify::Target;
 use striata::{Lod, LodOptions, ProgressFn};
-use striata_io::{Format, Scene, mesh_data, read_scene_bytes, texcoord_scale};
+use striata_io::{Format, Scene, mesh_data, read_scene_bytes};
 use striata_scene::file::{SceneFile, is_scene_file};
 use striata_scene::glb_stream::STREAM_EXTENSION;
 use striata_scene::stream::{SceneStreamDecoder, SceneStreamInfo};
@@ -264,14 +264,6 @@ impl SequenceArgs {
         let is_guaranteed = guarantee != ErrorGuarantee::None || has_limit;
         Ok(LodOptions::default().with_sequence(options).with_guaranteed_errors(is_guaranteed))
     }
-}
-
-/// Returns the scales of the texture coordinates of each material.
-pub(crate) fn texcoord_scales(appearance: &Appearance) -> Vec<[f32; 2]> {
-    let scale = |material: &Material| {
-        serde_json::from_str(&material.gltf_json).map_or([1.0; 2], |json| texcoord_scale(&json))
-    };
-    appearance.materials.iter().map(scale).collect()
 }
 
 /// Returns the materials, textures and images of a scene, as a mesh has them.

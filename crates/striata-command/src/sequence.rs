@@ -3,7 +3,10 @@
 use std::borrow::Cow;
 
 use striata::ProgressFn;
-use striata::mesh::{FragmentedMesh, IndexedMesh, Levels, RefinableMesh, Welded, replay, replay_fragments};
+use striata::mesh::{
+    Appearance, FragmentedMesh, IndexedMesh, Levels, Material, RefinableMesh, Welded, replay,
+    replay_fragments,
+};
 use striata::model::FanSource;
 use striata::simplify::{
     BatchOptions, BoundaryRule, BuiltSequence, CollapseCost, HoleCriterion, PlacedOptions, RemovalOptions,
@@ -12,12 +15,12 @@ use striata::simplify::{
     build_welded_placed_fragments_with_progress, build_welded_sequence_with_progress,
     certify_collapses_in_any_state_with_progress, certify_collapses_with_progress, certify_with_progress,
 };
+use striata_io::texcoord_scale;
 use striata_scene::drawn::base_colors_of_mesh;
 
 use crate::args::{CostArg, Length, OrderArg, RetriangulationArg, SequenceArgs};
 use crate::failure::Failure;
 use crate::output::Output;
-use crate::scene::texcoord_scales;
 
 /// How a mesh is simplified.
 #[derive(Clone, Debug)]
@@ -87,7 +90,7 @@ impl Steps {
         }
     }
 
-    /// Returns what fans are built from.
+    /// Returns the source for building fans: the mesh and its steps.
     pub fn fan_source(&self) -> FanSource<'_> {
         match self {
             Self::Collapses(refinable) => refinable.into(),
@@ -447,4 +450,12 @@ impl From<CostArg> for CollapseCost {
             CostArg::Tracked => Self::Tracked,
         }
     }
+}
+
+/// Returns the scales of the texture coordinates of each material.
+fn texcoord_scales(appearance: &Appearance) -> Vec<[f32; 2]> {
+    let scale = |material: &Material| {
+        serde_json::from_str(&material.gltf_json).map_or([1.0; 2], |json| texcoord_scale(&json))
+    };
+    appearance.materials.iter().map(scale).collect()
 }

@@ -177,7 +177,7 @@ pub(crate) struct BuildArgs {
     /// Whether a scene becomes one mesh.
     #[command(flatten)]
     pub(crate) scene: FlatArgs,
-    /// What is left out of a scene.
+    /// Parts of a scene that are left out.
     #[command(flatten)]
     pub(crate) edits: EditArgs,
     /// How textures are re-encoded.
@@ -266,7 +266,7 @@ pub(crate) struct ExtractArgs {
 pub(crate) struct SimplifyArgs {
     /// Mesh or scene to read, - for stdin, or a built-in shape: shape:torus
     pub(crate) input: PathBuf,
-    /// Where vertices may lie: subset (vertices of the input) or optimal (anywhere, with fitted attributes: about half
+    /// Positions of vertices: subset (vertices of the input) or optimal (anywhere, with fitted attributes: about half
     /// the error) [default: optimal for one level, but subset if something refers to vertices of the input]
     #[arg(long, hide_possible_values = true)]
     pub(crate) placement: Option<PlacementArg>,
@@ -297,7 +297,7 @@ pub(crate) struct SimplifyArgs {
     /// Whether a scene becomes one mesh.
     #[command(flatten)]
     pub(crate) scene: FlatArgs,
-    /// What is left out of a scene.
+    /// Parts of a scene that are left out.
     #[command(flatten)]
     pub(crate) edits: EditArgs,
     /// How textures are re-encoded.
@@ -349,7 +349,7 @@ pub(crate) struct ConvertArgs {
     /// Whether a scene becomes one mesh.
     #[command(flatten)]
     pub(crate) scene: FlatArgs,
-    /// What is left out of a scene.
+    /// Parts of a scene that are left out.
     #[command(flatten)]
     pub(crate) edits: EditArgs,
     /// How textures are re-encoded.
@@ -409,7 +409,7 @@ pub(crate) enum TriangleForm {
     Fans,
 }
 
-/// Where vertices of a simplified mesh may lie.
+/// Positions that vertices of a simplified mesh may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum PlacementArg {
     /// Only at vertices of the input, with their attributes

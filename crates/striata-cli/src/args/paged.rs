@@ -34,7 +34,7 @@ pub(crate) struct PagedArgs {
     pub(crate) cells: CellArgs,
 }
 
-/// What the result of an out-of-core build depends on.
+/// Arguments that change the result of an out-of-core build.
 #[derive(Debug, Args)]
 pub(crate) struct CellArgs {
     /// Triangles per page [default: 65536]

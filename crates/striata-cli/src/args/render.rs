@@ -151,6 +151,20 @@ pub(crate) struct RenderArgs {
     pub(crate) drivers: DriverArgs,
 }
 
+impl RenderArgs {
+    /// Whether the picture shows the surface of the mesh.
+    pub(crate) fn shows_surface(&self) -> bool {
+        self.colors.contains(&Coloring::Surface) && !self.heat && !self.wireframe
+    }
+
+    /// Whether the picture needs levels, and not just the mesh.
+    pub(crate) fn needs_levels(&self) -> bool {
+        let has_target = self.level.level.is_given() || self.level.eye.is_some();
+        let has_model = self.model.is_some_and(|model| model != DrawnModel::List);
+        has_target || has_model || self.levels.is_some() || self.colors.contains(&Coloring::Fragments)
+    }
+}
+
 /// The source of the triangles that are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum DrawnModel {

@@ -37,7 +37,7 @@ pub(crate) struct EncodeArgs {
     /// Whether a scene becomes one mesh.
     #[command(flatten)]
     pub(crate) scene: FlatArgs,
-    /// What is left out of a scene.
+    /// Parts of a scene that are left out.
     #[command(flatten)]
     pub(crate) edits: EditArgs,
     /// How textures are re-encoded.

@@ -73,7 +73,7 @@ pub(crate) struct StripLevelArgs {
         value_parser = clap::value_parser!(u32).range(1..=100_000)
     )]
     pub(crate) frames: u32,
-    /// What repair minimizes: indices or strips
+    /// Goal of repair: fewest indices or strips
     #[arg(
         long,
         value_name = "GOAL",
@@ -84,7 +84,7 @@ pub(crate) struct StripLevelArgs {
     pub(crate) repair: RepairArg,
 }
 
-/// What repair of strips minimizes.
+/// Number that the repair of strips minimizes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum RepairArg {
     /// The number of indices

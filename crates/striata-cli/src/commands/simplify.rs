@@ -2,72 +2,25 @@
 
 use std::time::Instant;
 
-use serde::Serialize;
-use serde_json::Value;
 use striata::mesh::{DistanceOptions, IndexedMesh, surface_distance, weld};
-use striata::simplify::{Placement, Simplified, StopReason, Target, fit_within};
+use striata::simplify::{Simplified, StopReason, Target, fit_within};
 
+use super::levels_report::{HowMade, MadeLevel, MadeLevels, text_of};
+use super::placement::{ChosenPlacement, fitting_limit, placement_name};
 use super::scene::{self, check_outputs};
-use crate::args::{PlacementArg, SimplifyArgs};
-use striata_command::args::OrderArg;
+use crate::args::SimplifyArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{
-    CoarseningLimit, FullMesh, LevelRequest, LevelRow, ReachedLevel, check_strict, level_requests, shortfall,
-    shortfall_note, table_of_levels,
+    CoarseningLimit, FullMesh, LevelRequest, ReachedLevel, WrittenLevel, level_requests,
 };
-use striata_command::output::{Output, format_count, format_duration, format_length};
-use striata_command::save::{LevelFiles, Primitives, display_name, georeference_of, is_stdout};
+use striata_command::output::Output;
+use striata_command::save::{LevelFiles, Primitives, georeference_of, is_stdout};
 use striata_command::scene::with_mesh_textures;
 use striata_command::sequence::{Limits, SequencePlan, SimplifiedSteps, StepKind, limit_in_units};
 
 /// Sample points on each surface for the distance from the level to the original.
 const REVERSE_SAMPLES: usize = 100_000;
-
-#[derive(Serialize)]
-struct Report {
-    #[serde(flatten)]
-    level: LevelReport,
-    error_is_guaranteed: bool,
-    order: &'static str,
-    placement: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    georeference: Option<Value>,
-    simplify_secs: f64,
-    secs: f64,
-}
-
-/// Report on several levels.
-#[derive(Serialize)]
-struct LevelsReport {
-    levels: Vec<LevelReport>,
-    error_is_guaranteed: bool,
-    order: &'static str,
-    placement: &'static str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    georeference: Option<Value>,
-    simplify_secs: f64,
-    secs: f64,
-}
-
-#[derive(Serialize)]
-struct LevelReport {
-    /// The text that the user wrote for the level, if there are several.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    level: Option<String>,
-    path: String,
-    vertex_count: usize,
-    triangle_count: usize,
-    error: f64,
-    /// Largest sampled distance from the level to the original; null if one of them has no surface. Only
-    /// reported if errors are guaranteed, since that guarantee covers only distances from the original to the
-    /// level.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    reverse_error: Option<Option<f64>>,
-    stop_reason: &'static str,
-    /// How the level misses its target; null if it does not.
-    shortfall: Option<String>,
-}
 
 /// Reads and simplifies the mesh, writes the levels, and reports.
 ///
@@ -118,8 +71,8 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
             _ => level_at(&made, resolved),
         };
         simplify_secs += level_started.elapsed().as_secs_f64();
-        let mut level = LevelReport::new(request, &simplified, &coarsening_limit);
-        check_strict(args.strict, request.name.as_deref(), level.shortfall.as_deref())?;
+        let mut level = made_level(request, &simplified, &coarsening_limit);
+        level.written.check_strict(args.strict)?;
         bar.phase("write");
         files.write(&simplified.mesh, Primitives::Triangles, &request.path)?;
         if plan.guarantees_errors() {
@@ -130,88 +83,26 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     }
     files.commit()?;
     drop(bar);
-    let (error_is_guaranteed, order) = (plan.guarantees_errors(), plan.order().as_str());
-    let placement = placement_name(is_fitted);
-    let georeference = georeference_of(&mesh);
-    let secs = started.elapsed().as_secs_f64();
-    if args.levels.levels.is_some() {
-        let report =
-            LevelsReport { levels, error_is_guaranteed, order, placement, georeference, simplify_secs, secs };
-        return output.summary(&report, &report.to_text(mesh.triangle_count()));
-    }
-    let level = levels.pop().ok_or_else(|| Failure::internal("no level was given"))?;
-    let report = Report { level, error_is_guaranteed, order, placement, georeference, simplify_secs, secs };
-    output.summary(&report, &report.to_text(mesh.triangle_count(), full.diagonal))
+    let how = HowMade {
+        error_is_guaranteed: plan.guarantees_errors(),
+        order: Some(plan.order().as_str()),
+        placement: Some(placement_name(is_fitted)),
+        georeference: georeference_of(&mesh),
+        simplify_secs: Some(simplify_secs),
+        secs: started.elapsed().as_secs_f64(),
+    };
+    let report = MadeLevels::new(levels, args.levels.levels.is_some(), how)?;
+    output.summary(&report, &text_of(&report, mesh.triangle_count(), Some(full.diagonal)))
 }
 
-/// Which meshes get vertices that are not those of the input.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum ChosenPlacement {
-    /// None.
-    Subset,
-    /// Those in which nothing refers to vertices: see [`Placement::for_one_level`].
-    Suitable,
-    /// All that can.
-    Optimal,
-}
-
-impl ChosenPlacement {
-    /// Returns what the user chose, or what suits the arguments.
-    ///
-    /// # Errors
-    /// If there is a flag that does not work with `--placement optimal`.
-    fn of(args: &SimplifyArgs) -> Result<Self, Failure> {
-        let sequence = &args.sequence;
-        let fixed = [
-            ("--order", sequence.order != OrderArg::Quadric),
-            ("--new-vertices", sequence.new_vertices.is_some()),
-            ("--max-error", args.max_error.is_some()),
-            ("--certify", sequence.certify),
-            ("--lod-chain", args.levels.lod_chain),
-        ];
-        let fixed = fixed.into_iter().find(|&(_, is_given)| is_given);
-        match (args.placement, fixed) {
-            (Some(PlacementArg::Subset), _) => Ok(Self::Subset),
-            (Some(PlacementArg::Optimal), Some((flag, _))) => {
-                Err(Failure::user(format!("{flag} does not work with --placement optimal"))
-                    .with_hint(format!("remove --placement optimal or {flag}")))
-            }
-            (Some(PlacementArg::Optimal), None) => Ok(Self::Optimal),
-            (None, Some(_)) => Ok(Self::Subset),
-            (None, None) => {
-                let has_locks = sequence.lock_boundary || sequence.lock_groups || sequence.keep_height_field;
-                let stays = has_locks || args.levels.levels.is_some();
-                Ok(if stays { Self::Subset } else { Self::Suitable })
-            }
-        }
-    }
-
-    /// Whether the vertices of a mesh may move.
-    pub(super) fn moves(self, mesh: &IndexedMesh) -> bool {
-        match self {
-            Self::Subset => false,
-            Self::Suitable => Placement::for_one_level(mesh) == Placement::Optimal,
-            Self::Optimal => true,
-        }
-    }
-}
-
-/// Name of the placement in reports.
-pub(super) fn placement_name(is_optimal: bool) -> &'static str {
-    if is_optimal { "optimal" } else { "subset" }
-}
-
-/// Note on the placement for a report in words; none for the vertices of the input.
-pub(super) fn placement_note(placement: &str) -> &'static str {
-    if placement == placement_name(true) { ", optimal placement" } else { "" }
-}
-
-/// Largest error that moved vertices may have.
-pub(super) fn fitting_limit(request: &LevelRequest) -> f64 {
-    match request.target {
-        Some(Target::Error(error)) => error,
-        _ => f64::INFINITY,
-    }
+/// Returns what is reported of a level.
+fn made_level(request: &LevelRequest, simplified: &Simplified, limit: &CoarseningLimit) -> MadeLevel {
+    let reached = ReachedLevel {
+        vertex_count: simplified.mesh.vertex_count(),
+        triangle_count: simplified.mesh.triangle_count(),
+        stop_reason: simplified.stop_reason,
+    };
+    WrittenLevel { error: Some(simplified.error), ..WrittenLevel::new(request, reached, limit) }.into()
 }
 
 /// Returns how far the mesh must be simplified for the requested levels.
@@ -263,70 +154,4 @@ fn reverse_distance(original: &IndexedMesh, level: &IndexedMesh) -> Option<f64> 
     let options = DistanceOptions::default().with_sample_count(REVERSE_SAMPLES);
     let distance = surface_distance(original, level, &options);
     distance.ok().map(|distance| distance.b_to_a.max)
-}
-
-impl LevelReport {
-    fn new(request: &LevelRequest, simplified: &Simplified, coarsening_limit: &CoarseningLimit) -> Self {
-        let reached = ReachedLevel {
-            vertex_count: simplified.mesh.vertex_count(),
-            triangle_count: simplified.mesh.triangle_count(),
-            stop_reason: simplified.stop_reason,
-        };
-        Self {
-            level: request.name.clone(),
-            path: display_name(&request.path),
-            vertex_count: reached.vertex_count,
-            triangle_count: reached.triangle_count,
-            error: simplified.error,
-            reverse_error: None,
-            stop_reason: simplified.stop_reason.as_str(),
-            shortfall: request.target.and_then(|target| shortfall(target, reached, coarsening_limit)),
-        }
-    }
-}
-
-impl Report {
-    fn to_text(&self, before: usize, diagonal: f64) -> String {
-        let level = &self.level;
-        let share = |error: f64| if diagonal > 0.0 { 100.0 * error / diagonal } else { 0.0 };
-        let kind = if self.error_is_guaranteed { "guaranteed " } else { "" };
-        let reverse = level.reverse_error.flatten().map_or_else(String::new, |error| {
-            format!(", reverse error {} (sampled, {:.4} %)", format_length(error), share(error))
-        });
-        let shortfall =
-            level.shortfall.as_ref().map(|shortfall| format!("\n{}", shortfall_note(None, shortfall)));
-        format!(
-            "{} -> {} triangles, {kind}error {} ({:.4} % of the diagonal){reverse}{}, {}, {}{}",
-            format_count(before),
-            format_count(level.triangle_count),
-            format_length(level.error),
-            share(level.error),
-            placement_note(self.placement),
-            level.stop_reason.replace('_', " "),
-            format_duration(self.secs),
-            shortfall.unwrap_or_default()
-        )
-    }
-}
-
-impl LevelsReport {
-    fn to_text(&self, before: usize) -> String {
-        let rows: Vec<LevelRow<'_>> = self.levels.iter().map(LevelReport::row).collect();
-        let kind = if self.error_is_guaranteed { "guaranteed" } else { "estimated" };
-        let secs = format_duration(self.secs);
-        format!("{}from {} triangles, errors {kind}, {secs}", table_of_levels(&rows), format_count(before))
-    }
-}
-
-impl LevelReport {
-    fn row(&self) -> LevelRow<'_> {
-        LevelRow {
-            name: self.level.as_deref().unwrap_or_default(),
-            triangle_count: self.triangle_count,
-            vertex_count: self.vertex_count,
-            error: self.error,
-            path: &self.path,
-            shortfall: self.shortfall.as_deref(),
-        }
-    }
 }

@@ -5,16 +5,14 @@ use std::time::Instant;
 
 use serde::Serialize;
 use striata::mesh::weld;
-use striata_io::Format;
 
 use super::{strip_blocks, strip_levels};
 use crate::args::StripArgs;
-use crate::strip_lists::StripLists;
-use striata_command::args::FormatArgs;
+use crate::strip_lists::{StripLists, check_output};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, format_count, format_noun_count};
-use striata_command::save::{Primitives, format_of, is_stdout, write_mesh};
+use striata_command::save::{Primitives, is_stdout, write_mesh};
 use striata_command::strip_report::StripReport;
 
 #[derive(Serialize)]
@@ -109,32 +107,4 @@ impl Report {
         }
         text
     }
-}
-
-/// Checks that the output can be written.
-///
-/// # Errors
-/// If its format has no strips, or stdout would have to take both the output and the report.
-pub(super) fn check_output(path: &Path, format: &FormatArgs, output: &Output) -> Result<(), Failure> {
-    output.check_stdout_is_free(is_stdout(path))?;
-    let format = format_of(path, format)?;
-    let instead = match format {
-        Format::Ply => "use --block-triangles, which writes strips to .ply",
-        _ => "remove -o to see only the cost of the strips",
-    };
-    check_form_fits("strips", path, format, instead)
-}
-
-/// Checks that a format supports strips or fans; `instead` is a hint for the user, besides choosing another
-/// format.
-///
-/// # Errors
-/// If the format does not support them.
-pub(super) fn check_form_fits(what: &str, path: &Path, format: Format, instead: &str) -> Result<(), Failure> {
-    if matches!(format, Format::Glb | Format::Gltf) {
-        return Ok(());
-    }
-    let name = if is_stdout(path) { "stdout".into() } else { path.to_string_lossy() };
-    Err(Failure::user(format!("{name}: {format} files cannot contain {what}"))
-        .with_hint(format!("write .glb or .gltf (`--to glb` for stdout), or {instead}")))
 }

@@ -7,9 +7,8 @@ use serde::Serialize;
 use striata::mesh::{RefinableMesh, replay, weld};
 use striata_strip::{LiveStripBuffer, LiveStrips, RepairReport};
 
-use super::strip::check_output;
 use crate::args::StripArgs;
-use crate::strip_lists::{StripLists, without_unused_vertices};
+use crate::strip_lists::{StripLists, check_output, without_unused_vertices};
 use striata_command::args::Level;
 use striata_command::failure::Failure;
 use striata_command::input::Input;

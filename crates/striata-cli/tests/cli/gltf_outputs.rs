@@ -20,7 +20,7 @@ const LINES: [&[&str]; 10] = [
     &["encode in.glb -o streams.glb", "convert streams.glb out.glb"],
 ];
 
-/// What may change: the scene, a word of the command, and the name of the count.
+/// Counts that may change: the scene, a word of the command, and the name of the count.
 const EXCEPTIONS: [(&str, &str, &str); 12] = [
     // Nodes that do more than show a mesh get a child that converts from the grid.
     ("hierarchy", "--meshopt", "nodes"),

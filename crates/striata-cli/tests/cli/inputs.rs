@@ -1,4 +1,4 @@
-//! What is left out of an input is a warning, an entry of the report, or an error.
+//! Parts that are left out of an input give a warning, an entry of the report, or an error.
 
 use crate::workbench::Workbench;
 

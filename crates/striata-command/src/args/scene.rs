@@ -12,7 +12,7 @@ pub struct FlatArgs {
     pub flat: bool,
 }
 
-/// What is left out of a scene because the rest of it implies it.
+/// Parts of a scene that are left out because the rest of it implies them.
 #[derive(Clone, Copy, Debug, Default, Args)]
 #[command(next_help_heading = "Scenes (.gltf, .glb, and files made from them)")]
 pub struct EditArgs {

@@ -17,7 +17,7 @@ const HAUSDORFF: &str = "Simplification with --order hausdorff";
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Simplification")]
 pub struct SequenceArgs {
-    /// What to remove first: quadric (edges of least quadric cost), hausdorff (vertices, by distance, area
+    /// Order of removals: quadric (edges of least quadric cost), hausdorff (vertices, by distance, area
     /// and attributes; slower, with guaranteed errors) or hausdorff-strict (vertices, by the largest distance
     /// alone)
     #[arg(long, value_name = "ORDER", default_value = "quadric", hide_possible_values = true)]
@@ -157,7 +157,7 @@ impl RemovalArgs {
     }
 }
 
-/// What a step collapses to a new vertex.
+/// Part of a mesh that a step collapses to a new vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum NewVerticesArg {
     /// Edges

@@ -2,7 +2,6 @@
 
 use std::time::Instant;
 
-use serde::Serialize;
 use striata::mesh::replay;
 use striata::model::ModelKind;
 use striata::view::DetailBox;
@@ -10,30 +9,15 @@ use striata_paged::{PagedFile, ViewCut};
 
 use super::fan_view::{MIN_PIXELS, ViewLevel};
 use super::level_output::{no_level, primitives_of, view_output_path};
-use super::report::{LevelMesh, LevelsReport, Report};
+use super::report::{ExtractedList, LevelMesh, PagesRead, Report, report_levels};
 use crate::args::ExtractArgs;
 use crate::commands::paged::{camera_of, failure_of};
 use crate::strip_lists::without_unused_vertices;
 use striata_command::args::{AxisAlignedBox, Point};
 use striata_command::failure::Failure;
-use striata_command::level::{FullMesh, check_strict, level_requests};
+use striata_command::level::{FullMesh, level_requests};
 use striata_command::output::Output;
 use striata_command::save::{LevelFiles, write_mesh};
-
-/// What was read of a paged file.
-#[derive(Clone, Copy, Serialize)]
-pub(super) struct PagesRead {
-    /// Pages of the file.
-    page_count: u32,
-    /// Pages that were read.
-    read: u64,
-    /// Pages whose vertices are in the result.
-    shown: usize,
-    /// Bytes that were read, with the head.
-    bytes: u64,
-    /// Steps of the pages that were read.
-    step_count: usize,
-}
 
 /// Extracts levels of a paged file.
 ///
@@ -73,23 +57,16 @@ pub(super) fn run(args: &ExtractArgs, started: Instant, output: &Output) -> Resu
         let level = without_unused_vertices(level, None).0;
         let shown = LevelMesh { mesh: &level, split_count, stop_reason };
         let secs = started.elapsed().as_secs_f64();
-        let report = Report {
-            error: sequence.error_at(split_count).max(file.unread_error()),
-            pages: Some(pages),
-            ..Report::of_level(ModelKind::Fans, request, shown, [secs, secs])
-        };
-        check_strict(args.strict, request.name.as_deref(), report.shortfall.as_deref())?;
+        let report = Report::of_level(ModelKind::Fans, request, shown, [secs, secs])
+            .with_error(sequence.error_at(split_count).max(file.unread_error()));
+        let report = Report { pages: Some(pages), ..report };
+        report.written.check_strict(args.strict)?;
         files.write(&level, primitives_of(args.form, &level, None)?, &request.path)?;
         reports.push(report);
     }
     files.commit()?;
-    if args.levels.levels.is_some() {
-        let secs = started.elapsed().as_secs_f64();
-        let report = LevelsReport { levels: reports, step_count: sequence.step_count(), secs };
-        return output.summary(&report, &report.to_text());
-    }
-    let report = reports.pop().ok_or_else(no_level)?;
-    output.summary(&report, &report.to_text(sequence.step_count()))
+    let common = ExtractedList { step_count: sequence.step_count(), secs: started.elapsed().as_secs_f64() };
+    report_levels(reports, args.levels.levels.is_some(), common, output)
 }
 
 fn run_view(
@@ -140,7 +117,7 @@ fn finish(
     output.summary(&report, &report.to_text(pages.step_count))
 }
 
-/// What was read, and how many pages the vertices of a level come from.
+/// Returns the numbers of pages that were read, and that the vertices of a level come from.
 fn pages_read(file: &PagedFile, page_of_vertex: &[u32], step_count: usize) -> PagesRead {
     let mut is_shown = vec![false; file.reader().page_count() as usize];
     for &page in page_of_vertex {
@@ -153,18 +130,5 @@ fn pages_read(file: &PagedFile, page_of_vertex: &[u32], step_count: usize) -> Pa
         shown: is_shown.into_iter().filter(|&is_shown| is_shown).count(),
         bytes: statistics.byte_count,
         step_count,
-    }
-}
-
-impl PagesRead {
-    /// The sentence for people.
-    pub(super) fn to_text(self) -> String {
-        format!(
-            "\nread {} of {} pages, {}; {} of them are shown",
-            self.read,
-            self.page_count,
-            striata_command::output::format_bytes(self.bytes as usize),
-            self.shown
-        )
     }
 }

@@ -6,6 +6,7 @@ use serde::Serialize;
 use striata::file::StriataFile;
 use striata::mesh::replay;
 use striata::model::ModelKind;
+use striata::simplify::StopReason;
 use striata_stream::StreamDecoder;
 
 use super::level_output::{no_level, primitives_of};
@@ -16,36 +17,28 @@ use crate::args::ExtractArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{
-    CoarseningLimit, LevelRequest, LevelRow, ReachedLevel, check_strict, level_requests, shortfall,
-    shortfall_note, table_of_levels,
+    CoarseningLimit, LevelRequest, LevelsReport, ReachedLevel, WrittenLevel, level_requests, table_of_levels,
 };
 use striata_command::output::{Output, format_count, format_duration, format_length};
-use striata_command::save::{LevelFiles, display_name};
+use striata_command::save::LevelFiles;
 use striata_command::stream::DecodedStream;
 
-/// Report on several levels.
+/// The report: of one level, or of several with the time that they took together.
+type StreamedLevels = LevelsReport<Report, Option<StreamedList>>;
+
 #[derive(Serialize)]
-struct LevelsReport {
-    levels: Vec<Report>,
+struct StreamedList {
     secs: f64,
 }
 
 #[derive(Serialize)]
 struct Report {
-    /// The text that the user wrote for the level, if there are several.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    level: Option<String>,
-    path: String,
+    #[serde(flatten)]
+    written: WrittenLevel,
     model: &'static str,
     split_count: usize,
     step_count: usize,
-    vertex_count: usize,
-    triangle_count: usize,
-    error: f32,
     error_is_guaranteed: bool,
-    stop_reason: &'static str,
-    /// How the level misses its target; null if it does not.
-    shortfall: Option<String>,
     /// Whether the stream is complete.
     is_complete: bool,
     /// Number of bytes of the stream that were read.
@@ -86,35 +79,31 @@ pub(super) fn run(
     for (request, &target) in requests.iter().zip(&targets) {
         let (split_count, end) = resolve(target, &received, refinable.sequence.levels());
         let mesh = replay(&refinable, split_count).without_unused_vertices();
-        let shortfall = match end {
-            StreamStopReason::InputEnded => Some(INPUT_ENDED_TEXT.to_owned()),
-            StreamStopReason::Level(stop_reason) => {
-                let (vertex_count, triangle_count) = (mesh.vertex_count(), mesh.triangle_count());
-                shortfall(
-                    target,
-                    ReachedLevel { vertex_count, triangle_count, stop_reason },
-                    &CoarseningLimit::File,
-                )
-            }
+        let (vertex_count, triangle_count) = (mesh.vertex_count(), mesh.triangle_count());
+        let stop_reason = match end {
+            StreamStopReason::Level(stop_reason) => stop_reason,
+            StreamStopReason::InputEnded => StopReason::TargetReached,
         };
-        check_strict(args.strict, request.name.as_deref(), shortfall.as_deref())?;
+        let reached = ReachedLevel { vertex_count, triangle_count, stop_reason };
+        let asked = LevelRequest { target: Some(target), ..request.clone() };
+        let mut written = WrittenLevel::new(&asked, reached, &CoarseningLimit::File);
+        written.stop_reason = end.as_str();
+        if let StreamStopReason::InputEnded = end {
+            written.shortfall = Some(INPUT_ENDED_TEXT.to_owned());
+        }
+        written.check_strict(args.strict)?;
         files.write(&mesh, primitives_of(args.form, &mesh, None)?, &request.path)?;
         let is_last = split_count == received.decoder.split_count();
+        let error = match received.decoder.error() {
+            Some(error) if is_last => error,
+            _ => refinable.sequence.error_at(split_count),
+        };
         reports.push(Report {
-            level: request.name.clone(),
-            path: display_name(&request.path),
+            written: written.with_error(error),
             model: ModelKind::Progressive.as_str(),
             split_count,
             step_count,
-            vertex_count: mesh.vertex_count(),
-            triangle_count: mesh.triangle_count(),
-            error: match received.decoder.error() {
-                Some(error) if is_last => error,
-                _ => refinable.sequence.error_at(split_count),
-            },
             error_is_guaranteed,
-            stop_reason: end.as_str(),
-            shortfall,
             is_complete: !received.is_cut,
             read_bytes: received.read_bytes,
             level_bytes: received.decoder.bytes_for(split_count),
@@ -128,51 +117,37 @@ pub(super) fn run(
     if let Some(remark) = received.truncation_note(&input.name) {
         output.say(&remark);
     }
-    if args.levels.levels.is_some() {
-        let report = LevelsReport { levels: reports, secs: started.elapsed().as_secs_f64() };
-        return output.summary(&report, &report.to_text());
-    }
-    let report = reports.pop().ok_or_else(no_level)?;
-    output.summary(&report, &report.to_text())
+    let is_list = args.levels.levels.is_some();
+    let common = is_list.then(|| StreamedList { secs: started.elapsed().as_secs_f64() });
+    let report = StreamedLevels::new(reports, is_list, common)?;
+    output.summary(&report, &text_of(&report))
 }
 
 impl Report {
     fn to_text(&self) -> String {
         format!(
             "{} triangles, {} vertices, split {} of {}, error {}, {}; {} of {} bytes decoded in {}{}",
-            format_count(self.triangle_count),
-            format_count(self.vertex_count),
+            format_count(self.written.triangle_count),
+            format_count(self.written.vertex_count),
             format_count(self.split_count),
             format_count(self.step_count),
-            format_length(self.error.into()),
-            self.stop_reason.replace('_', " "),
+            format_length(self.written.error.unwrap_or_default()),
+            self.written.stop_text(),
             format_count(self.read_bytes),
             format_count(usize::try_from(self.stream_bytes).unwrap_or(usize::MAX)),
             format_duration(self.seek_secs),
-            self.shortfall
-                .as_ref()
-                .map_or_else(String::new, |text| format!("\n{}", shortfall_note(None, text)))
+            self.written.note()
         )
-    }
-
-    fn row(&self) -> LevelRow<'_> {
-        LevelRow {
-            name: self.level.as_deref().unwrap_or_default(),
-            triangle_count: self.triangle_count,
-            vertex_count: self.vertex_count,
-            error: self.error.into(),
-            path: &self.path,
-            shortfall: self.shortfall.as_deref(),
-        }
     }
 }
 
-impl LevelsReport {
-    fn to_text(&self) -> String {
-        let rows: Vec<LevelRow<'_>> = self.levels.iter().map(Report::row).collect();
-        let (read, whole) =
-            self.levels.first().map_or((0, 0), |level| (level.read_bytes, level.stream_bytes));
-        let whole = format_count(usize::try_from(whole).unwrap_or(usize::MAX));
-        format!("{}{} of {whole} bytes decoded", table_of_levels(&rows), format_count(read))
-    }
+fn text_of(report: &StreamedLevels) -> String {
+    let levels = match report {
+        StreamedLevels::One { level, .. } => return level.to_text(),
+        StreamedLevels::Several { levels, .. } => levels,
+    };
+    let (read, whole) = levels.first().map_or((0, 0), |level| (level.read_bytes, level.stream_bytes));
+    let whole = format_count(usize::try_from(whole).unwrap_or(usize::MAX));
+    let table = table_of_levels(levels.iter().map(|level| &level.written));
+    format!("{table}{} of {whole} bytes decoded", format_count(read))
 }

@@ -21,18 +21,17 @@ use std::time::Instant;
 use striata::model::ModelKind;
 
 use self::level_output::{diagonal_of, no_level, primitives_of};
-use self::report::{LevelMesh, LevelsReport, Report};
+use self::report::{ExtractedList, LevelMesh, Report, report_levels};
 use self::uniform_levels::{ExtractedLevel, Model, each_level, each_level_of_strips, read_model};
 use self::view_and_box::{run_box, run_view};
 use super::paged::is_paged_file;
 use super::scene::{self, check_outputs};
-use super::strip::check_form_fits;
 use crate::args::{ExtractArgs, TriangleForm};
 use crate::commands::build::errors_are_guaranteed;
-use crate::strip_lists::without_unused_vertices;
+use crate::strip_lists::{check_form_fits, without_unused_vertices};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::level::{FullMesh, LevelRequest, check_paths, check_strict, level_requests};
+use striata_command::level::{FullMesh, LevelRequest, check_paths, level_requests};
 use striata_command::output::Output;
 use striata_command::save::{LevelFiles, format_of, is_stdout};
 
@@ -90,17 +89,11 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
         let ExtractedLevel { model, mesh, strips, seek_secs } = extracted;
         let (mesh, strips) = without_unused_vertices(mesh, strips);
         let (request, (split_count, stop_reason)) = (&requests[index], resolved[index]);
-        let report = Report {
-            error: levels.error_at(split_count),
-            error_is_guaranteed,
-            ..Report::of_level(
-                model,
-                request,
-                LevelMesh { mesh: &mesh, split_count, stop_reason },
-                [seek_secs, seconds(started)],
-            )
-        };
-        check_strict(args.strict, request.name.as_deref(), report.shortfall.as_deref())?;
+        let shown = LevelMesh { mesh: &mesh, split_count, stop_reason };
+        let report = Report::of_level(model, request, shown, [seek_secs, seconds(started)])
+            .with_error(levels.error_at(split_count));
+        let report = Report { error_is_guaranteed, ..report };
+        report.written.check_strict(args.strict)?;
         files.write(&mesh, primitives_of(args.form, &mesh, strips)?, &request.path)?;
         reports[index] = Some(report);
         Ok(())
@@ -119,14 +112,8 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
         }
     }?;
     files.commit()?;
-    let mut reports: Vec<Report> = reports.into_iter().flatten().collect();
-    if args.levels.levels.is_some() {
-        let report =
-            LevelsReport { levels: reports, step_count: levels.step_count(), secs: seconds(started) };
-        return output.summary(&report, &report.to_text());
-    }
-    let report = reports.pop().ok_or_else(no_level)?;
-    output.summary(&report, &report.to_text(levels.step_count()))
+    let common = ExtractedList { step_count: levels.step_count(), secs: seconds(started) };
+    report_levels(reports.into_iter().flatten().collect(), args.levels.levels.is_some(), common, output)
 }
 
 fn seconds(started: Instant) -> f64 {

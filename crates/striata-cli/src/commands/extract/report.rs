@@ -8,31 +8,28 @@ use striata::model::ModelKind;
 use striata::simplify::{StopReason, Target};
 
 use super::fan_view::ViewLevel;
-use super::from_paged::PagesRead;
 use super::level_output::view_output_path;
 use crate::args::ExtractArgs;
 use striata_command::failure::Failure;
 use striata_command::level::{
-    CoarseningLimit, LevelRequest, LevelRow, ReachedLevel, check_strict, shortfall, shortfall_note,
-    table_of_levels,
+    CoarseningLimit, LevelRequest, LevelsReport, ReachedLevel, WrittenLevel, table_of_levels,
 };
-use striata_command::output::{format_count, format_duration, format_length};
-use striata_command::save::display_name;
+use striata_command::output::{Output, format_bytes, format_count, format_duration, format_length};
 
-/// Report on several levels.
+/// The report of `extract`.
+type ExtractedLevels = LevelsReport<Report, Option<ExtractedList>>;
+
+/// Members of the report on a list of levels, besides the list.
 #[derive(Serialize)]
-pub(super) struct LevelsReport {
-    pub(super) levels: Vec<Report>,
+pub(super) struct ExtractedList {
     pub(super) step_count: usize,
     pub(super) secs: f64,
 }
 
 #[derive(Serialize)]
 pub(super) struct Report {
-    /// The text that the user wrote for the level, if there are several.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) level: Option<String>,
-    pub(super) path: String,
+    #[serde(flatten)]
+    pub(super) written: WrittenLevel,
     pub(super) model: &'static str,
     /// For views: whether the fans were `stored` in the file or `built` from the sequence.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -47,16 +44,38 @@ pub(super) struct Report {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) pages: Option<PagesRead>,
     pub(super) split_count: usize,
-    pub(super) vertex_count: usize,
-    pub(super) triangle_count: usize,
-    pub(super) error: f32,
     /// Whether no point of the original is farther from the level than the error.
     pub(super) error_is_guaranteed: bool,
-    pub(super) stop_reason: &'static str,
-    /// How the level misses its target; null if it does not.
-    pub(super) shortfall: Option<String>,
     pub(super) seek_secs: f64,
     pub(super) secs: f64,
+}
+
+/// Pages of a paged file that were read.
+#[derive(Clone, Copy, Serialize)]
+pub(super) struct PagesRead {
+    /// Pages of the file.
+    pub(super) page_count: u32,
+    /// Pages that were read.
+    pub(super) read: u64,
+    /// Pages whose vertices are in the result.
+    pub(super) shown: usize,
+    /// Bytes that were read, with the head.
+    pub(super) bytes: u64,
+    /// Steps of the pages that were read.
+    pub(super) step_count: usize,
+}
+
+impl PagesRead {
+    /// The sentence for people.
+    fn to_text(self) -> String {
+        format!(
+            "\nread {} of {} pages, {}; {} of them are shown",
+            self.read,
+            self.page_count,
+            format_bytes(self.bytes as usize),
+            self.shown
+        )
+    }
 }
 
 /// The mesh of a level.
@@ -81,23 +100,22 @@ impl Report {
             stop_reason,
         };
         Self {
-            level: request.name.clone(),
-            path: display_name(&request.path),
+            written: WrittenLevel::new(request, reached, &CoarseningLimit::File),
             model: model.as_str(),
             fans: None,
             patterns: None,
             pixels: None,
             pages: None,
             split_count,
-            vertex_count: reached.vertex_count,
-            triangle_count: reached.triangle_count,
-            error: 0.0,
             error_is_guaranteed: false,
-            stop_reason: stop_reason.as_str(),
-            shortfall: request.target.and_then(|target| shortfall(target, reached, &CoarseningLimit::File)),
             seek_secs,
             secs,
         }
+    }
+
+    /// Sets the error, mesh units.
+    pub(super) fn with_error(self, error: f32) -> Self {
+        Self { written: self.written.with_error(error), ..self }
     }
 
     /// Creates the report on a level for a view or a box.
@@ -114,11 +132,9 @@ impl Report {
         let request = LevelRequest { name: None, target: triangle_limit.map(Target::Triangles), path };
         let ViewLevel { mesh, split_count, stop_reason, .. } = level;
         let shown = LevelMesh { mesh, split_count: *split_count, stop_reason: *stop_reason };
-        let report = Self {
-            error: level.error,
-            ..Self::of_level(model, &request, shown, [level.seek_secs, started.elapsed().as_secs_f64()])
-        };
-        check_strict(args.strict, None, report.shortfall.as_deref())?;
+        let secs = [level.seek_secs, started.elapsed().as_secs_f64()];
+        let report = Self::of_level(model, &request, shown, secs).with_error(level.error);
+        report.written.check_strict(args.strict)?;
         Ok(report)
     }
 
@@ -130,38 +146,43 @@ impl Report {
         let origin = of_model(ModelKind::Fans, self.fans) + &of_model(ModelKind::Patterns, self.patterns);
         format!(
             "{} triangles, {} vertices, split {} of {}, {kind} {}, {}; found in {}{origin}{}{}",
-            format_count(self.triangle_count),
-            format_count(self.vertex_count),
+            format_count(self.written.triangle_count),
+            format_count(self.written.vertex_count),
             format_count(self.split_count),
             format_count(step_count),
-            format_length(self.error.into()),
-            self.stop_reason.replace('_', " "),
+            format_length(self.written.error.unwrap_or_default()),
+            self.written.stop_text(),
             format_duration(self.seek_secs),
-            self.shortfall
-                .as_ref()
-                .map_or_else(String::new, |text| format!("\n{}", shortfall_note(None, text))),
+            self.written.note(),
             self.pages.map_or_else(String::new, PagesRead::to_text)
         )
     }
 }
 
-impl LevelsReport {
-    pub(super) fn to_text(&self) -> String {
-        let rows: Vec<LevelRow<'_>> = self.levels.iter().map(Report::row).collect();
-        let model = self.levels.first().map_or("", |level| level.model);
-        format!("{}extracted from {model} in {}", table_of_levels(&rows), format_duration(self.secs))
+/// Describes extracted levels of a file with this number of steps.
+fn text_of(report: &ExtractedLevels, step_count: usize) -> String {
+    match report {
+        ExtractedLevels::One { level, .. } => level.to_text(step_count),
+        ExtractedLevels::Several { levels, common } => {
+            let table = table_of_levels(levels.iter().map(|level| &level.written));
+            let model = levels.first().map_or("", |level| level.model);
+            let secs = common.as_ref().map_or(0.0, |common| common.secs);
+            format!("{table}extracted from {model} in {}", format_duration(secs))
+        }
     }
 }
 
-impl Report {
-    fn row(&self) -> LevelRow<'_> {
-        LevelRow {
-            name: self.level.as_deref().unwrap_or_default(),
-            triangle_count: self.triangle_count,
-            vertex_count: self.vertex_count,
-            error: self.error.into(),
-            path: &self.path,
-            shortfall: self.shortfall.as_deref(),
-        }
-    }
+/// Reports levels: the only one, or the list that the user asked for.
+///
+/// # Errors
+/// If there is no level, or the report cannot be written.
+pub(super) fn report_levels(
+    levels: Vec<Report>,
+    is_list: bool,
+    common: ExtractedList,
+    output: &Output,
+) -> Result<(), Failure> {
+    let step_count = common.step_count;
+    let report = ExtractedLevels::new(levels, is_list, is_list.then_some(common))?;
+    output.summary(&report, &text_of(&report, step_count))
 }

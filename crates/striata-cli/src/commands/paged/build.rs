@@ -20,7 +20,7 @@ use super::{core_count, failure, failure_of};
 use crate::args::{BaseArgs, BuildArgs};
 use striata_paged::PagedFile;
 
-/// What was built.
+/// Report of a build: the file, its counts, and the time that it took.
 #[derive(Serialize)]
 struct Report {
     output: PathBuf,

@@ -15,7 +15,6 @@ use striata_scene::{LodScene, Pose, Poser};
 use striata_viewer::picture::{Camera, SceneLook};
 
 use super::figure::Figure;
-use super::source::{needs_levels, shows_surface};
 use crate::args::{DrawnModel, RenderArgs};
 use crate::commands::scene::scene_of_view;
 
@@ -72,11 +71,11 @@ impl SceneSource {
         }
         let pose = pose(args, &poser, input, output)?;
         let mesh = posed_mesh(&scene, &poser, &pose).map_err(|error| in_file(&error))?;
-        let look = (has_look && shows_surface(args)).then(|| {
+        let look = (has_look && args.shows_surface()).then(|| {
             bar.phase("textures");
             SceneLook::of(&scene, &ImageLimits::default()).with_lights(lights(&scene, &pose))
         });
-        let is_built = levels.is_none() && needs_levels(args);
+        let is_built = levels.is_none() && args.needs_levels();
         let cameras = cameras(&scene, &pose);
         let levels = match levels {
             None if is_built => Some(build(input, &scene, &mut |progress| bar.show(progress))?),

@@ -85,7 +85,7 @@ impl<'a> Source<'a> {
         let mesh = input.mesh(output)?;
         mesh.check().map_err(|error| in_file(error.into()))?;
         let look = look_of(args, &mesh);
-        if !needs_levels(args) {
+        if !args.needs_levels() {
             return Ok(Self::Mesh(Box::new(with_normals(mesh)), look));
         }
         let welded = weld(&mesh).map_err(|error| in_file(error.into()))?;
@@ -406,22 +406,10 @@ fn strips_at<M: StripModel>(model: &M, split_count: usize) -> StripSet {
     strips_of_level(model, &state)
 }
 
-/// Whether the picture shows the surface of the mesh.
-pub(super) fn shows_surface(args: &RenderArgs) -> bool {
-    args.colors.contains(&Coloring::Surface) && !args.heat && !args.wireframe
-}
-
 /// Returns the materials of a mesh, if the picture shows them.
 fn look_of(args: &RenderArgs, mesh: &IndexedMesh) -> Option<Box<SceneLook>> {
     let look = || SceneLook::of_mesh(mesh, &ImageLimits::default());
-    shows_surface(args).then(look).flatten().map(Box::new)
-}
-
-/// Whether the picture needs levels, and not just the mesh.
-pub(super) fn needs_levels(args: &RenderArgs) -> bool {
-    let has_target = args.level.level.is_given() || args.level.eye.is_some();
-    let has_model = args.model.is_some_and(|model| model != DrawnModel::List);
-    has_target || has_model || args.levels.is_some() || args.colors.contains(&Coloring::Fragments)
+    args.shows_surface().then(look).flatten().map(Box::new)
 }
 
 /// Returns the model that is used by default: LodStrips if strips are shown, so that they follow the levels.

@@ -28,7 +28,7 @@ struct Report {
     mesh_count: usize,
     triangle_count: usize,
     image_count: usize,
-    /// What the bytes of a stream are spent on; null for a GLB file.
+    /// Bytes of each kind of content of a stream; null for a GLB file.
     sizes: Option<Sizes>,
     output_bytes: usize,
     phases: Phases,

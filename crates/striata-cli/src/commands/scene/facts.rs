@@ -1,4 +1,4 @@
-//! What `info` says about a scene besides its triangles.
+//! Facts of a scene that `info` reports besides its triangles: its parts, extensions and levels.
 
 use serde::Serialize;
 use serde_json::Value;

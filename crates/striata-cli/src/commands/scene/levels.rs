@@ -3,17 +3,15 @@
 use std::path::Path;
 use std::time::Instant;
 
-use serde::Serialize;
 use striata::mesh::IndexedMesh;
 use striata::simplify::{SequenceOptions, StopReason, Target};
 use striata_command::args::{FormatArgs, LevelArgs, LevelsArgs};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{
-    CoarseningLimit, LevelRequest, LevelRow, ReachedLevel, check_paths, check_strict, level_requests,
-    shortfall, shortfall_note, table_of_levels,
+    CoarseningLimit, LevelRequest, ReachedLevel, WrittenLevel, check_paths, level_requests,
 };
-use striata_command::output::{Output, format_count, format_duration, format_length, format_noun_count};
+use striata_command::output::{Output, format_noun_count};
 use striata_command::save::{LevelFiles, display_name, folder_path, format_of, write_encoded};
 use striata_command::scene::{
     ReceivedScene, build_scene, edited, flat_scene, full_scene_sizes, with_textures,
@@ -24,52 +22,12 @@ use striata_scene::textures::TextureOptions;
 use striata_scene::{FittedMeshes, Fitting, LodChainOptions, LodScene, SceneLevel, lod_chain};
 
 use super::super::extract::INPUT_ENDED_TEXT;
-use super::super::simplify::{ChosenPlacement, fitting_limit, placement_name, placement_note};
+use super::super::levels_report::{HowMade, MadeLevels, text_of};
+use super::super::placement::{ChosenPlacement, fitting_limit, placement_name};
 use super::view::extract_view;
 use crate::args::{DecodeArgs, ExtractArgs, SimplifyArgs, TriangleForm};
 
-/// Report on one level of a scene.
-#[derive(Serialize)]
-pub(super) struct Report {
-    #[serde(flatten)]
-    pub(super) level: LevelReport,
-    pub(super) error_is_guaranteed: bool,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) placement: Option<&'static str>,
-    pub(super) secs: f64,
-}
-
-/// Report on several levels of a scene.
-#[derive(Serialize)]
-struct LevelsReport {
-    levels: Vec<LevelReport>,
-    error_is_guaranteed: bool,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    placement: Option<&'static str>,
-    secs: f64,
-}
-
-#[derive(Serialize)]
-pub(super) struct LevelReport {
-    /// The text that the user wrote for the level, if there are several.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) level: Option<String>,
-    pub(super) path: String,
-    /// Number of vertices; those of a mesh count once.
-    pub(super) vertex_count: usize,
-    /// Number of triangles; those of a mesh count once for each instance.
-    pub(super) triangle_count: usize,
-    /// Largest error of all meshes, scene units; null for a view.
-    pub(super) error: Option<f64>,
-    /// Error allowed on the screen, for a view, pixels.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) pixels: Option<f64>,
-    pub(super) stop_reason: &'static str,
-    /// How the level misses its target; null if it does not.
-    pub(super) shortfall: Option<String>,
-}
-
-/// Where levels go, and what is done to them.
+/// Outputs of levels, and how they are made and written.
 struct Destination<'a> {
     level: &'a LevelArgs,
     levels: Option<&'a LevelsArgs>,
@@ -87,7 +45,7 @@ struct Destination<'a> {
 /// Which meshes get vertices that are not those of the input.
 struct ScenePlacement {
     chosen: ChosenPlacement,
-    /// What must not move.
+    /// Constraints on vertices that move.
     options: SequenceOptions,
 }
 
@@ -219,12 +177,12 @@ fn write_levels(
         if destination.has_error_limit && level.stop_reason == StopReason::BaseReached {
             level.stop_reason = StopReason::ErrorLimit;
         }
-        let mut report = LevelReport::new(request, &level, &destination.limit);
+        let mut report = written_level(request, &level, &destination.limit);
         if request.target.is_some_and(|target| ends_before(received, target)) {
             report.shortfall = Some(INPUT_ENDED_TEXT.to_owned());
         }
-        check_strict(destination.is_strict, request.name.as_deref(), report.shortfall.as_deref())?;
-        reports.push(report);
+        report.check_strict(destination.is_strict)?;
+        reports.push(report.into());
         levels.push(level);
         is_fitted |= fitted.as_ref().is_some_and(|fitted| fitted.fitted_count > 0);
         meshes.push(fitted.map(|fitted| fitted.meshes));
@@ -249,14 +207,21 @@ fn write_levels(
     }
     drop(bar);
     let placement = destination.placement.is_some().then(|| placement_name(is_fitted));
-    let (error_is_guaranteed, secs) = (lods.has_guaranteed_errors(), started.elapsed().as_secs_f64());
-    if several.levels.is_some() {
-        let report = LevelsReport { levels: reports, error_is_guaranteed, placement, secs };
-        return output.summary(&report, &report.to_text(full.triangle_count));
-    }
-    let level = reports.pop().ok_or_else(|| Failure::internal("no level was given"))?;
-    let report = Report { level, error_is_guaranteed, placement, secs };
-    output.summary(&report, &report.to_text(full.triangle_count))
+    let how = HowMade {
+        error_is_guaranteed: lods.has_guaranteed_errors(),
+        placement,
+        secs: started.elapsed().as_secs_f64(),
+        ..HowMade::default()
+    };
+    let report = MadeLevels::new(reports, several.levels.is_some(), how)?;
+    output.summary(&report, &text_of(&report, full.triangle_count, None))
+}
+
+/// Returns what is reported of a level.
+fn written_level(request: &LevelRequest, level: &SceneLevel, limit: &CoarseningLimit) -> WrittenLevel {
+    let &SceneLevel { triangle_count, vertex_count, error, stop_reason, .. } = level;
+    let reached = ReachedLevel { vertex_count, triangle_count, stop_reason };
+    WrittenLevel { error: Some(error), ..WrittenLevel::new(request, reached, limit) }
 }
 
 /// Fits the meshes of a level, and says which meshes stay although the user wishes it.
@@ -351,63 +316,4 @@ pub(in crate::commands) fn check_outputs(
         chain_format(output, format)?;
     }
     Ok(())
-}
-
-impl LevelReport {
-    fn new(request: &LevelRequest, level: &SceneLevel, limit: &CoarseningLimit) -> Self {
-        let &SceneLevel { triangle_count, vertex_count, error, stop_reason, .. } = level;
-        let reached = ReachedLevel { vertex_count, triangle_count, stop_reason };
-        Self {
-            level: request.name.clone(),
-            path: display_name(&request.path),
-            vertex_count,
-            triangle_count,
-            error: Some(error),
-            pixels: None,
-            stop_reason: stop_reason.as_str(),
-            shortfall: request.target.and_then(|target| shortfall(target, reached, limit)),
-        }
-    }
-}
-
-impl Report {
-    pub(super) fn to_text(&self, before: usize) -> String {
-        let level = &self.level;
-        let kind = if self.error_is_guaranteed { "guaranteed " } else { "" };
-        let error = match (level.error, level.pixels) {
-            (Some(error), _) => format!("{kind}error {}", format_length(error)),
-            (None, pixels) => format!("{kind}errors up to {:.3} pixels", pixels.unwrap_or_default()),
-        };
-        let shortfall = level.shortfall.as_deref().map(|text| format!("\n{}", shortfall_note(None, text)));
-        format!(
-            "{}: {} -> {} triangles, {error}{}, {}, {}{}",
-            level.path,
-            format_count(before),
-            format_count(level.triangle_count),
-            placement_note(self.placement.unwrap_or_default()),
-            level.stop_reason.replace('_', " "),
-            format_duration(self.secs),
-            shortfall.unwrap_or_default()
-        )
-    }
-}
-
-impl LevelsReport {
-    fn to_text(&self, before: usize) -> String {
-        let rows = self.levels.iter().map(|level| LevelRow {
-            name: level.level.as_deref().unwrap_or_default(),
-            triangle_count: level.triangle_count,
-            vertex_count: level.vertex_count,
-            error: level.error.unwrap_or_default(),
-            path: &level.path,
-            shortfall: level.shortfall.as_deref(),
-        });
-        let kind = if self.error_is_guaranteed { "guaranteed" } else { "estimated" };
-        format!(
-            "{}from {} triangles, errors {kind}, {}",
-            table_of_levels(&rows.collect::<Vec<_>>()),
-            format_count(before),
-            format_duration(self.secs)
-        )
-    }
 }

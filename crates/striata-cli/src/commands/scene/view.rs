@@ -6,14 +6,14 @@ use striata::simplify::{StopReason, Target};
 use striata::view::Camera;
 use striata_command::args::ViewArgs;
 use striata_command::failure::Failure;
-use striata_command::level::{CoarseningLimit, ReachedLevel, check_paths, check_strict, shortfall};
+use striata_command::level::{CoarseningLimit, LevelRequest, ReachedLevel, WrittenLevel, check_paths};
 use striata_command::output::Output;
-use striata_command::save::{display_name, write_scene};
+use striata_command::save::write_scene;
 use striata_command::scene::with_textures;
 use striata_io::Scene;
 use striata_scene::LodScene;
 
-use super::levels::{LevelReport, Report};
+use super::super::levels_report::{HowMade, MadeLevel, MadeLevels, text_of};
 use crate::args::ExtractArgs;
 
 /// Smallest pixel tolerance used with a triangle limit, so that tolerances can be multiplied.
@@ -60,22 +60,17 @@ pub(super) fn extract_view(
     let is_above = limit.is_some_and(|limit| triangle_count > limit);
     let stop_reason = if is_above { StopReason::BaseReached } else { StopReason::TargetReached };
     let reached = ReachedLevel { vertex_count, triangle_count, stop_reason };
-    let shortfall =
-        limit.and_then(|limit| shortfall(Target::Triangles(limit), reached, &CoarseningLimit::File));
-    check_strict(args.strict, None, shortfall.as_deref())?;
+    let request = LevelRequest { name: None, target: limit.map(Target::Triangles), path: path.clone() };
+    let written = WrittenLevel::new(&request, reached, &CoarseningLimit::File);
+    written.check_strict(args.strict)?;
     let scene = with_textures(scene, args.textures.options().as_ref(), output)?;
     write_scene(&scene, true, path, (&args.output.format, output))?;
-    let level = LevelReport {
-        level: None,
-        path: display_name(path),
-        vertex_count,
-        triangle_count,
-        error: None,
-        pixels: Some(pixels),
-        stop_reason: stop_reason.as_str(),
-        shortfall,
+    let level = MadeLevel { pixels: Some(pixels), ..written.into() };
+    let how = HowMade {
+        error_is_guaranteed: lods.has_guaranteed_errors(),
+        secs: started.elapsed().as_secs_f64(),
+        ..HowMade::default()
     };
-    let secs = started.elapsed().as_secs_f64();
-    let report = Report { level, error_is_guaranteed: lods.has_guaranteed_errors(), placement: None, secs };
-    output.summary(&report, &report.to_text(lods.triangle_count()))
+    let report = MadeLevels::One { level, common: how };
+    output.summary(&report, &text_of(&report, lods.triangle_count(), None))
 }
