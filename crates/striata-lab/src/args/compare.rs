@@ -40,6 +40,9 @@ pub(crate) struct CompareArgs {
     /// Measure only distance against bytes, for streams, levels and other coders: --parts rate
     #[arg(long, conflicts_with = "parts")]
     rate: bool,
+    /// Search for tunnels of all lengths with ten seeds, and for strips up to 2 seconds; takes many times as long
+    #[arg(long)]
+    pub(crate) thorough: bool,
     /// Use certified error bounds instead of estimated errors in models
     #[arg(long)]
     pub(crate) certify: bool,
@@ -188,15 +191,14 @@ pub(crate) struct StripifierArgs {
     /// Merge equal vertices before comparing stripifiers; models always merge them
     #[arg(long)]
     pub(crate) weld: bool,
-    /// Search tunnels of at most these lengths
+    /// Search tunnels of at most these lengths [default: 1,9,17, or 1,3,5,9,13,17,25 with --thorough]
     #[arg(
         long,
         value_name = "LENGTH,...",
         value_delimiter = ',',
-        default_value = "1,3,5,9,13,17,25",
         value_parser = clap::value_parser!(u32).range(1..=999)
     )]
-    pub(crate) tunnels: Vec<u32>,
+    tunnels: Option<Vec<u32>>,
     /// Kinds of tunneling: published, per-path, shortest-first, same-strip, static, grown, tunnel
     #[arg(
         long,
@@ -206,33 +208,44 @@ pub(crate) struct StripifierArgs {
         hide_possible_values = true
     )]
     pub(crate) tunnel_searches: Vec<Tunneling>,
-    /// Measure each tunnel length with this many seeds
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 10,
-        value_parser = clap::value_parser!(u32).range(1..=1000)
-    )]
-    pub(crate) seeds: u32,
+    /// Measure each tunnel length with this many seeds [default: 2, or 10 with --thorough]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    seeds: Option<u32>,
     /// Compare these stripifiers; join the passes of one with +
     #[arg(long = "strips", value_name = "SPEC,...", value_delimiter = ',', default_value = COMPARED_STRIPS)]
     pub(crate) chains: Vec<StripChain>,
-    /// Also run stripifiers that search for each of these times, in seconds
+    /// Also run stripifiers that search for each of these times, in seconds [default: 0.5, or 0.1,0.5,2 with --thorough]
     #[arg(
         long,
         value_name = "SECS,...",
         value_delimiter = ',',
-        default_value = "0.1,0.5,2",
         allow_negative_numbers = true,
         value_parser = parse_at_least_zero
     )]
-    pub(crate) budgets: Vec<f64>,
+    budgets: Option<Vec<f64>>,
 }
 
 impl CompareArgs {
     /// Whether a part is requested.
     pub(crate) fn has(&self, part: Part) -> bool {
         if self.rate { part == Part::Rate } else { self.parts.contains(&part) }
+    }
+
+    /// Largest lengths of tunnels.
+    pub(crate) fn tunnels(&self) -> &[u32] {
+        let usual: &[u32] = if self.thorough { &[1, 3, 5, 9, 13, 17, 25] } else { &[1, 9, 17] };
+        self.strips.tunnels.as_deref().unwrap_or(usual)
+    }
+
+    /// Number of seeds for each length of tunnels.
+    pub(crate) fn seeds(&self) -> u32 {
+        self.strips.seeds.unwrap_or(if self.thorough { 10 } else { 2 })
+    }
+
+    /// Times for which stripifiers search, seconds.
+    pub(crate) fn budgets(&self) -> &[f64] {
+        let usual: &[f64] = if self.thorough { &[0.1, 0.5, 2.0] } else { &[0.5] };
+        self.strips.budgets.as_deref().unwrap_or(usual)
     }
 }
 

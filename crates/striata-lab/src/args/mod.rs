@@ -13,9 +13,7 @@ use striata_command::args::ReportArgs;
 #[cfg(feature = "gpu")]
 pub(crate) use self::bench_gpu::BenchGpuArgs;
 pub(crate) use self::caches::CachesArgs;
-pub(crate) use self::compare::{
-    AssetArgs, AssetContender, CompareArgs, ModelArgs, Part, RateArgs, StripifierArgs,
-};
+pub(crate) use self::compare::{AssetArgs, AssetContender, CompareArgs, ModelArgs, Part, RateArgs};
 pub(crate) use self::poses::PosesArgs;
 pub(crate) use self::show::{ShowArgs, Structure};
 

@@ -44,7 +44,7 @@ use self::rate::RateReport;
 use self::stripifiers::StripifierRow;
 use self::tunnels::TunnelRow;
 use self::views::ViewsReport;
-use crate::args::{CompareArgs, Part, StripifierArgs};
+use crate::args::{CompareArgs, Part};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Bar, Output, Table, format_duration, format_noun_count, to_stdout};
@@ -137,7 +137,7 @@ fn measure_mesh(
 ) -> Result<MeshReport, Failure> {
     let mesh = if args.strips.weld { weld(&mesh)?.mesh } else { mesh };
     let component_count = mesh.component_count()?;
-    let strips = args.has(Part::Strips).then(|| measure_strips(&mesh, &args.strips, bar, say)).transpose()?;
+    let strips = args.has(Part::Strips).then(|| measure_strips(&mesh, args, bar, say)).transpose()?;
     let needs_sequence = [Part::Models, Part::Views, Part::Patterns].into_iter().any(|part| args.has(part));
     let sequenced = needs_sequence.then(|| Sequenced::build(&mesh, args.certify, bar, say)).transpose()?;
     let sequenced_for = |part| sequenced.as_ref().filter(|_| args.has(part));
@@ -168,16 +168,16 @@ fn measure_mesh(
 
 fn measure_strips(
     mesh: &IndexedMesh,
-    args: &StripifierArgs,
+    args: &CompareArgs,
     bar: &mut Bar,
     say: &dyn Fn(&str),
 ) -> Result<StripsReport, Failure> {
-    let (searches, lengths) = (&args.tunnel_searches[..], &args.tunnels[..]);
-    say(&format!("tunnels of up to {} links, {} seeds each", lengths.iter().max().unwrap_or(&0), args.seeds));
+    let (searches, lengths, seeds) = (&args.strips.tunnel_searches[..], args.tunnels(), args.seeds());
+    say(&format!("tunnels of up to {} links, {seeds} seeds each", lengths.iter().max().unwrap_or(&0)));
     let mut show_share = |share| bar.share("tunnels", share);
-    let tunnel_lengths = tunnels::measure(mesh, (searches, lengths), args.seeds, &mut show_share)?;
+    let tunnel_lengths = tunnels::measure(mesh, (searches, lengths), seeds, &mut show_share)?;
     let mut show = |name: &str| say(name);
-    let stripifiers = stripifiers::measure(mesh, &args.chains, &args.budgets, &mut show)?;
+    let stripifiers = stripifiers::measure(mesh, &args.strips.chains, args.budgets(), &mut show)?;
     Ok(StripsReport { strip_count_bound: strip_count_bound(mesh), tunnel_lengths, stripifiers })
 }
 

@@ -77,7 +77,7 @@ pub struct MtsGraph {
     rows: Vec<RowNode>,
 }
 
-/// What an arc of the graph leads to.
+/// Destination of an arc of the graph.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MtsNode {
     /// A column of the same strip.
@@ -93,7 +93,7 @@ pub enum MtsNode {
 /// An arc of the graph, or a beginning of a strip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MtsArc {
-    /// What the arc leads to.
+    /// Destination of the arc.
     pub node: MtsNode,
     /// The coarsest level at which the arc applies; 0 is the finest.
     pub res: u32,

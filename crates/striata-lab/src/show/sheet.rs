@@ -66,7 +66,7 @@ enum Shape {
     Text(DVec2, String, Align, i32, RGBColor),
 }
 
-/// What is drawn, in order, in pixels.
+/// Shapes that are drawn, in order, in pixels.
 #[derive(Default)]
 pub(super) struct Sheet {
     shapes: Vec<Shape>,

@@ -59,7 +59,7 @@ impl EfficientLodStrips {
     }
 }
 
-/// What a change does to one strip.
+/// Positions in one strip at which a change replaces vertices and removes repetitions.
 #[derive(Debug)]
 struct StripChange {
     strip: u32,

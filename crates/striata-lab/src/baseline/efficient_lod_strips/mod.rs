@@ -34,14 +34,14 @@ use striata::strip::StripSet;
 use self::build::has_triangle;
 use crate::paper_bytes::{Accounting, PaperBytes};
 
-/// What a collapse changes.
+/// Range of the records of a collapse: one record for each strip that it changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Change {
     record_count: u32,
     first_record: u32,
 }
 
-/// What a collapse changes in one strip.
+/// Changes of a collapse to one strip: the numbers of positions to edit, and the first of them in the data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct RecordChange {
     strip: u32,

@@ -284,7 +284,7 @@ impl HoppeProgressiveMeshesState {
     }
 }
 
-/// What is on both sides of a run.
+/// Half-edges and corners on both sides of a run.
 #[derive(Clone, Copy)]
 struct RunEnds {
     left: Side,
@@ -299,7 +299,7 @@ impl RunEnds {
     }
 }
 
-/// What is on one side of a run before a face is put there.
+/// Half-edges and corners on one side of a run before a face is put there.
 #[derive(Clone, Copy)]
 struct Side {
     /// The half-edge of the run that will be opposite to the new face, or [`NONE`].

@@ -16,7 +16,7 @@ use striata_viewer::picture::{SceneLook, with_normals};
 pub(super) struct Subject {
     /// The mesh to simplify.
     pub(super) mesh: IndexedMesh,
-    /// What the textures of its materials show.
+    /// Base colors of its materials, as [`base_colors_of_mesh`] returns them.
     pub(super) base_colors: Vec<Option<BaseColor>>,
     /// The mesh with normals for comparison and lighting: its own, or smooth ones.
     pub(super) reference: IndexedMesh,

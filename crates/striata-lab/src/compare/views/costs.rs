@@ -29,7 +29,7 @@ pub(super) struct CostRow {
     pixels: f32,
     /// The followers that can be built.
     pub(super) contenders: Vec<Cost>,
-    /// What it takes to draw the fans of this view in each form.
+    /// Indices and time that it takes to draw the fans of this view, by form.
     drawn: Vec<Drawn>,
 }
 

@@ -47,7 +47,7 @@ pub(super) struct Figures {
     pub(super) bytes_per_instance: usize,
     /// Maximum bytes owned by the instance, per vertex of the full mesh.
     pub(super) instance_bytes_per_vertex: f64,
-    /// The same without indices that can be drawn as they are.
+    /// Maximum bytes owned by the instance, per vertex of the full mesh, without indices that can be drawn as is.
     state_bytes_per_vertex: f64,
     /// Values by frame.
     pub(super) series: Series,

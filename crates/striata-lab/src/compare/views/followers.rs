@@ -60,7 +60,7 @@ pub(super) struct Models<'r> {
     pub(super) refinable: &'r RefinableMesh,
     /// The fans with the bounds of their steps.
     pub(super) fans: Fans,
-    /// The same with bounds over everything that depends on a step.
+    /// Fans with bounds over everything that depends on a step.
     dependents: Fans,
     /// The view-dependent progressive mesh, or why it cannot be built.
     pub(super) vdpm: Result<ViewDependentMeshes, String>,

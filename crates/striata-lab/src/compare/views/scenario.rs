@@ -51,7 +51,7 @@ pub(super) struct Run {
     pub(super) triangles: Vec<usize>,
     /// Maximum bytes owned by the instance.
     pub(super) instance_bytes: usize,
-    /// The same without indices that can be drawn as they are.
+    /// Maximum bytes owned by the instance, without indices that can be drawn as they are.
     pub(super) state_bytes: usize,
     /// Errors on the screen.
     pub(super) errors: ScreenErrors,
