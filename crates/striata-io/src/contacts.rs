@@ -7,7 +7,7 @@ use striata::mesh::IndexedMesh;
 
 use crate::Scene;
 
-/// Where a scene shows a mesh.
+/// Transform with which a scene shows a mesh, split into a linear part and a move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Spot {
     /// Bits of the transform without its move: the same for all meshes of a space.

@@ -129,7 +129,7 @@ pub enum ReadError {
     NoTriangles {
         /// Name of the file.
         file: String,
-        /// What it has, such as `1,000 points`.
+        /// Content that it has instead, such as `1,000 points`.
         found: String,
     },
     /// Every triangle had to be left out.
@@ -137,7 +137,7 @@ pub enum ReadError {
     NothingLeft {
         /// Name of the file.
         file: String,
-        /// What was left out, and why.
+        /// Parts that were left out, and the reasons.
         reason: String,
     },
     /// The file violates the rules of its format.
@@ -181,7 +181,7 @@ pub(crate) enum Fault {
     Unsupported(Place, String),
     #[cfg_attr(not(feature = "gltf"), expect(dead_code, reason = "only glTF has extensions"))]
     Extension(String),
-    /// What the file has instead of triangles.
+    /// The file has no triangles; the text names the content that it has instead.
     NoTriangles(String),
     /// The file has no triangles, but another program can make some of it.
     NeedsConversion {

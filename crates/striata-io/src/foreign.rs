@@ -7,7 +7,7 @@ use crate::format::EXAMINED_BYTES;
 
 /// Kind of file that another program has to convert.
 struct Foreign {
-    /// What the file is, for the message.
+    /// Kind of the file with its article, for the message: `an FBX file`.
     what: &'static str,
     /// First bytes of such files; empty if only the extension identifies them.
     magics: &'static [&'static [u8]],

@@ -35,7 +35,7 @@ pub enum Format {
     Stream,
 }
 
-/// What is known about a format.
+/// Name, extensions, feature and media type of a format.
 struct Facts {
     format: Format,
     name: &'static str,

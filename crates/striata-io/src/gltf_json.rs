@@ -69,7 +69,7 @@ pub(crate) struct TextureInfo {
     pub transform: Option<([f32; 2], [f32; 2])>,
     /// Whether the texture does not repeat.
     pub clamps: bool,
-    /// What else there is.
+    /// Names of its properties that other formats cannot express.
     pub lost: Vec<String>,
 }
 

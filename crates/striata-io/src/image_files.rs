@@ -46,7 +46,7 @@ struct NewFile<'b> {
     is_own: fn(&[u8]) -> bool,
 }
 
-/// What a name stands for.
+/// State of a name in the output folder: free, or taken by the same bytes or by another file.
 enum Found {
     /// No file.
     Nothing,

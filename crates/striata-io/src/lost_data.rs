@@ -63,7 +63,7 @@ fn left_out(format: Format) -> String {
     format!("is left out: {format} cannot store it")
 }
 
-/// What happens to a layer of vertices, besides those that writers leave out themselves.
+/// Returns the loss of a layer of vertices in words, besides those that writers leave out themselves.
 fn vertex_loss(format: Format, mesh: &IndexedMesh, layer: &AttributeLayer) -> Option<String> {
     #[cfg(feature = "gltf")]
     if matches!(format, Format::Gltf | Format::Glb) && crate::gltf::is_unstorable(mesh, layer) {

@@ -95,7 +95,7 @@ fn drop_vertices(mesh: &mut IndexedMesh, warnings: &mut Warnings) {
     *mesh = mesh.without_vertices(&is_lost);
 }
 
-/// What a warning says about a semantic.
+/// Returns the text of a warning about repaired values of a semantic.
 fn kind_of(semantic: &Semantic) -> Kind {
     match semantic {
         Semantic::Normal => Kind("normal computed anew", "normals computed anew"),

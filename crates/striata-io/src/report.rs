@@ -28,7 +28,7 @@ pub struct Warning {
 }
 
 impl Warning {
-    /// What was counted, such as `lines skipped`; empty if the reason says it.
+    /// Name of the things that were counted, such as `lines skipped`; empty if the reason says it.
     pub fn what(&self) -> &'static str {
         if self.count == 1 { self.kind.0 } else { self.kind.1 }
     }

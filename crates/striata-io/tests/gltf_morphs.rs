@@ -96,7 +96,7 @@ fn glb(mesh: &IndexedMesh) -> Vec<u8> {
     to_bytes(Format::Glb, mesh, &WriteOptions::default()).unwrap()
 }
 
-/// The same layers as this crate and the crate `gltf` read them.
+/// Asserts that this crate and the crate `gltf` read the layers of a mesh.
 fn assert_read(glb: &[u8], mesh: &IndexedMesh) {
     let found = read("x.glb", glb).unwrap();
     assert_eq!((&found.positions, &found.layers), (&mesh.positions, &mesh.layers));

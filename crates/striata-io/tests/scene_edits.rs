@@ -77,7 +77,7 @@ fn equal_parts_are_merged() {
     assert_eq!((counts, count(&same, "materials")), (Default::default(), 4));
 }
 
-/// What animations change stays apart, and is found again.
+/// Materials that animations change stay apart, and the animations find them again.
 #[test]
 fn animated_materials_stay_apart() {
     let mut sample = doubles();

@@ -31,7 +31,7 @@ fn show_all(scene: &mut TestScene) {
     scene.document["scenes"] = json!([{ "nodes": (0..count).collect::<Vec<_>>() }]);
 }
 
-/// The same ball in many colors, over one set of accessors.
+/// Balls in many colors, over one set of accessors.
 fn colors(count: usize) -> TestScene {
     let mut scene = scenes::empty();
     scene.push_mesh("ball", &shapes::icosphere(3, 1.0));

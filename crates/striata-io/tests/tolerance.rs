@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 use striata::mesh::IndexedMesh;
 use striata_io::{Source, read_bytes_with_report};
 
-/// What a file must give: numbers of triangles and vertices, and warnings without the name of the file; or a
+/// Expected result of a file: numbers of triangles and vertices, and warnings without its name; or a
 /// part of the error.
 enum Outcome {
     Read(usize, usize, &'static [&'static str]),

@@ -68,7 +68,7 @@ struct Order {
     base_position_count: usize,
     /// Vertices of each position.
     index: PositionIndex,
-    /// Where each vertex is.
+    /// Page and number of each vertex.
     vertices: Vec<Place>,
     /// Place in this order of each vertex as the loaded pages number it.
     rank: Vec<u32>,

@@ -1,8 +1,8 @@
-//! What can be wrong with paged files.
+//! Errors of reading paged files: damaged heads and pages, and places that cannot be read.
 
 use crate::PageId;
 
-/// What is wrong with a paged file.
+/// Error of reading a paged file.
 #[derive(Debug, thiserror::Error)]
 pub enum PagedError {
     /// A page contradicts itself, or its bytes do not describe one.
@@ -10,7 +10,7 @@ pub enum PagedError {
     Page {
         /// The page.
         id: PageId,
-        /// What is wrong with it.
+        /// Defect of the page.
         defect: PageDefect,
     },
     /// The head of a file is damaged.
@@ -27,7 +27,7 @@ pub enum PagedError {
     Mismatch {
         /// The page.
         id: PageId,
-        /// What does not fit.
+        /// Reason in words.
         reason: &'static str,
     },
     /// Bytes cannot be read.
@@ -35,7 +35,7 @@ pub enum PagedError {
     Io {
         /// File or address.
         place: String,
-        /// What the system says.
+        /// Error of the system.
         source: std::io::Error,
     },
     /// Pages do not form a sequence of levels.
@@ -51,7 +51,7 @@ pub enum PagedError {
     },
 }
 
-/// What is wrong with a head.
+/// Defect of a head.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum HeadDefect {
     /// The bytes end early.
@@ -92,7 +92,7 @@ impl From<HeadDefect> for PagedError {
     }
 }
 
-/// What is wrong with a page.
+/// Defect of a page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum PageDefect {
     /// The bytes end early.
@@ -101,7 +101,7 @@ pub enum PageDefect {
     /// More is announced than the bytes can contain.
     #[error("{announced} {what} do not fit into its {byte_count} bytes")]
     TooMany {
-        /// What is announced.
+        /// Name of the announced entries.
         what: &'static str,
         /// How many.
         announced: u64,
@@ -115,7 +115,7 @@ pub enum PageDefect {
         what: &'static str,
         /// Its length.
         found: usize,
-        /// What the other lists require.
+        /// Length that the other lists require.
         expected: usize,
     },
     /// An entry of a list is impossible.

@@ -60,7 +60,7 @@ pub struct Leaf {
     pub page_count: u32,
     /// Offset of its first page.
     pub page_offset: u64,
-    /// What its pages contain together.
+    /// Bounds and largest error of all its pages.
     pub bound: PageBound,
     /// Largest key of its steps.
     pub key: f32,
@@ -134,7 +134,7 @@ fn write_directory(
     (root, leaves)
 }
 
-/// What pages contain together.
+/// Returns the common bounds and the largest error of pages.
 fn joined(entries: &[PageEntry]) -> PageBound {
     let mut all = PageBound { min: [f32::MAX; 3], max: [f32::MIN; 3], error: 0.0 };
     for bound in entries.iter().flat_map(|entry| &entry.bounds) {

@@ -19,7 +19,7 @@ pub(crate) struct LoadedPages<'a> {
     pages: Vec<(u32, &'a Page)>,
     /// Number of the first vertex of each page in a common numbering, then the number of all vertices.
     first_vertex: Vec<u32>,
-    /// Where the imports of each page are.
+    /// Page and number of each vertex that a page imports, by page.
     imports: Vec<Vec<Place>>,
 }
 
@@ -83,7 +83,7 @@ impl<'a> LoadedPages<'a> {
         self.pages.iter().map(|&(_, page)| page)
     }
 
-    /// Where the imports of a page are.
+    /// Page and number of each vertex that a page imports.
     pub(crate) fn imports_of(&self, slot: u32) -> &[Place] {
         &self.imports[slot as usize]
     }

@@ -1,4 +1,4 @@
-//! What a paged file says about the whole mesh.
+//! Metadata of a paged file, which describe the whole mesh.
 
 use std::collections::HashMap;
 
@@ -61,7 +61,7 @@ pub struct PagedGroup {
     pub material: Option<u32>,
 }
 
-/// What a paged file says about the whole mesh, stored as JSON.
+/// Counts, bounds, layers, groups and materials of the whole mesh of a paged file, stored as JSON.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Metadata {
@@ -79,7 +79,7 @@ pub struct Metadata {
     pub min: [f32; 3],
     /// Largest coordinates relative to the origin, in mesh units.
     pub max: [f32; 3],
-    /// Where positions are; `None` if they are stored exactly.
+    /// Grid of the positions; `None` if they are stored exactly.
     pub grid: Option<Grid>,
     /// Attribute layers.
     pub layers: Vec<PagedLayer>,

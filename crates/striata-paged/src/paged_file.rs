@@ -14,7 +14,7 @@ const MAX_CACHED_VERTICES: u64 = 10_000_000;
 /// Most bytes that are in memory before their pages are decoded, if no single want has more.
 const MAX_BATCH_BYTES: u64 = 32 << 20;
 
-/// What has been read so far.
+/// Numbers of requests, bytes and pages that have been read so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ReadStatistics {
     /// Number of requests.
@@ -72,7 +72,7 @@ impl PagedFile {
         &self.reader
     }
 
-    /// What the file says about the mesh.
+    /// Metadata of the mesh.
     ///
     /// # Panics
     /// Never: an open file has metadata.
@@ -80,7 +80,7 @@ impl PagedFile {
         self.reader.metadata().expect("the head has been read")
     }
 
-    /// What has been read so far.
+    /// Numbers of requests, bytes and pages that have been read so far.
     pub fn statistics(&self) -> ReadStatistics {
         self.statistics
     }

@@ -25,7 +25,7 @@ pub struct ViewCut {
 }
 
 impl PageBound {
-    /// What a criterion judges about this part of a page: the sphere around it, and its largest error.
+    /// Returns the part that a criterion judges: the sphere around this part of a page, and its largest error.
     pub fn part(&self) -> Part {
         let center = [0, 1, 2].map(|a| 0.5 * (self.min[a] + self.max[a]));
         let half = [0, 1, 2].map(|a| 0.5 * f64::from(self.max[a] - self.min[a]));

@@ -15,7 +15,7 @@ const MAX_GAP: u64 = 1 << 14;
 /// Most bytes that are wanted at once.
 const MAX_WANT: u64 = 8 << 20;
 
-/// Where bytes are.
+/// File or object that contains bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Place {
     /// The file, or the head of a folder or bucket.
@@ -27,7 +27,7 @@ pub enum Place {
 /// Bytes that are wanted.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Want {
-    /// Where they are.
+    /// File or object that contains them.
     pub place: Place,
     /// Which bytes; the first want may reach beyond the end of a small file.
     pub range: Range<u64>,
@@ -61,7 +61,7 @@ impl PagedReader {
         Self::default()
     }
 
-    /// What the file says about the mesh; `None` before the head has arrived.
+    /// Metadata of the mesh; `None` before the head has arrived.
     pub fn metadata(&self) -> Option<&Metadata> {
         self.head.as_ref().map(|head| &head.metadata)
     }
@@ -71,7 +71,7 @@ impl PagedReader {
         self.head.as_ref().map_or(0, |head| head.page_count)
     }
 
-    /// What the directory says about a page; `None` if its part of the directory has not been read.
+    /// Entry of a page in the directory; `None` if its part of the directory has not been read.
     pub fn entry(&self, page: u32) -> Option<&PageEntry> {
         self.head.as_ref()?.entries.get(&page)
     }

@@ -1,4 +1,4 @@
-//! Where the bytes of paged files are: files, folders, addresses.
+//! Stores of the bytes of paged files: files, folders, addresses.
 
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};

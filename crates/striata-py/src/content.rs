@@ -1,4 +1,4 @@
-//! What a file or a stream contains.
+//! Content of a file or a stream: a mesh or a scene, with or without levels.
 
 use pyo3::IntoPyObjectExt as _;
 use pyo3::prelude::*;

@@ -24,7 +24,7 @@ const PIECE_BYTES: usize = 1 << 16;
 #[derive(Debug)]
 pub(crate) enum DecodeFault {
     Cancelled(Cancelled),
-    /// What is wrong with the bytes.
+    /// The bytes cannot be decoded; the text gives the reason.
     Bytes(String),
 }
 

@@ -13,7 +13,7 @@ use striata::simplify::{
 
 use crate::sources::{Sources, UNUSED, level_triangles, representatives};
 
-/// What a level must satisfy.
+/// Target and error limit that a level must satisfy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LevelRequest {
     /// The level asked for.

@@ -92,7 +92,7 @@ impl PagedLodData {
         (file.metadata().min, file.metadata().max)
     }
 
-    /// What the file says about the mesh, as JSON.
+    /// Metadata of the mesh, as JSON.
     fn metadata(&self) -> Outcome<String> {
         serde_json::to_string(locked(&self.file).metadata()).map_err(value_error)
     }

@@ -29,7 +29,7 @@ fn build_error(error: BuildError) -> PyErr {
     }
 }
 
-/// What a plan is made of.
+/// Options of a plan, as items of a Python object.
 #[derive(FromPyObject)]
 pub(crate) struct PlanOptions {
     #[pyo3(item)]

@@ -22,7 +22,7 @@ struct Hint {
 
 const NO_HINT: Hint = Hint { triangle: u32::MAX, shares: [0.0; 2] };
 
-/// A level with a point for each vertex of the full mesh, which stays where the last walk ended.
+/// Triangles of a level, and for each vertex of the full mesh the point of the level that its last search found.
 #[derive(Debug, Default)]
 pub(crate) struct LevelWalk {
     /// Triangles of the level.

@@ -278,7 +278,7 @@ impl LodScene {
 pub struct Fitting<'a> {
     /// Whether the vertices of a mesh may move.
     pub selects: &'a dyn Fn(&IndexedMesh) -> bool,
-    /// What must not move.
+    /// Options that say which vertices must not move.
     pub options: &'a SequenceOptions,
     /// Largest measured error of a fitted mesh, in units of the scene; meshes are made finer for it.
     pub max_error: f64,
@@ -289,7 +289,7 @@ pub struct Fitting<'a> {
 pub struct FittedMeshes {
     /// The meshes, for [`Scene::with_meshes`].
     pub meshes: Vec<Option<IndexedMesh>>,
-    /// The level, finer where a fitted mesh would have exceeded the error limit, with its error.
+    /// The level with its measured error; meshes that exceeded the error limit are finer than asked for.
     pub level: SceneLevel,
     /// Number of meshes that were fitted.
     pub fitted_count: usize,

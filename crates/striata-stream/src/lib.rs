@@ -98,9 +98,9 @@ pub use reader::decode::{StreamDecoder, StreamUpdate};
 pub use reader::prefix::PrefixMesh;
 pub use striata::file::STREAM_MAGIC;
 pub use topology::surface::SurfaceDefect;
-pub use writer::defect::BatchDefect;
+pub use writer::defect::{BatchDefect, StreamError};
 pub use writer::encode::{
-    EncodedStream, Precision, SHAPE_STEPS, StreamError, StreamOptions, StreamSizes, encode_stream,
+    EncodedStream, Precision, SHAPE_STEPS, StreamOptions, StreamSizes, encode_stream,
     encode_stream_with_progress,
 };
 

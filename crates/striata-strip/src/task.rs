@@ -28,7 +28,7 @@ impl Task<'_> {
     }
 }
 
-/// What limits a call.
+/// Limits of a call: progress, cancellation and the moves that are allowed.
 pub(crate) trait Limits {
     /// Returns the spent share of the budget after a number of moves; see [`SpentFn`].
     fn spent(&mut self, moves: u64) -> f64;

@@ -41,7 +41,7 @@ impl CheckedGlb {
         glb
     }
 
-    /// What is wrong; empty if nothing is.
+    /// Faults that were found; empty if there are none.
     pub fn faults(&self) -> &[String] {
         &self.faults
     }

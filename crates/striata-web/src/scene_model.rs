@@ -14,7 +14,7 @@ use crate::{Failure, limits};
 /// Maximum length of the first packet, bytes.
 const MAX_HEAD_BYTES: usize = 1 << 26;
 
-/// What the models of the meshes read.
+/// Decoder and changed triangles that the models of the meshes read.
 #[derive(Debug, Default)]
 pub(crate) struct SceneParts {
     pub(crate) decoder: SceneStreamDecoder,
@@ -134,7 +134,7 @@ impl SceneModel {
         std::mem::take(&mut self.images)
     }
 
-    /// Returns what has arrived of an image.
+    /// Returns the part of an image that has arrived.
     pub fn image(&self, index: usize) -> Option<SceneImage> {
         let shared = self.shared.borrow();
         let image = shared.decoder.image(index)?;

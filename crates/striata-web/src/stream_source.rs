@@ -1,4 +1,4 @@
-//! Where the decoder of a streamed mesh is: in the mesh's own model, or in that of a scene.
+//! Owner of the decoder of a streamed mesh: the mesh's own model, or that of a scene.
 
 use striata_stream::StreamDecoder;
 

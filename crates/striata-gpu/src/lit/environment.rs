@@ -47,7 +47,7 @@ impl Environment {
         }
     }
 
-    /// The same radiance from everywhere.
+    /// An environment with one radiance from all directions.
     pub fn uniform(color: [f32; 3]) -> Self {
         let lobe = EnvironmentLobe { direction: [0.0, 1.0, 0.0], color: [0.0; 3], sharpness: 1.0 };
         Self { ground: color, sky: color, horizon: [0.0, 1.0], lobes: [lobe; 3] }

@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 use crate::lit::image::LitImage;
 use crate::look::linear_to_srgb;
 
-/// What the values of an image mean, which decides how they are averaged and stored.
+/// Meaning of the values of an image, which decides how they are averaged and stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum ImageMeaning {
     /// Colors in sRGB with a linear opacity; for masked ones the smallest opacity that is drawn, 1 to 255.

@@ -1,4 +1,4 @@
-//! What a frame shows: objects in their poses, lights, and the camera.
+//! Content of a frame: objects in their poses, lights, and the camera.
 
 use std::ops::Range;
 

@@ -1,4 +1,4 @@
-//! What all lit pictures share: the shader, its bindings and pipelines, and the reflectance table.
+//! Resources that all lit pictures share: the shader, its bindings and pipelines, and the reflectance table.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};

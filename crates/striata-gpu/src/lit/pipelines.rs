@@ -28,7 +28,7 @@ pub(crate) struct PipelineKey {
     pub(crate) is_blended: bool,
 }
 
-/// What all pipelines of a painter share.
+/// Parts that all pipelines of a painter share: the shader, the layout, and the format of the target.
 #[derive(Debug)]
 pub(crate) struct PipelineParts {
     pub(crate) module: ShaderModule,

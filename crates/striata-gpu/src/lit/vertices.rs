@@ -38,7 +38,7 @@ struct JointSet {
     weights: [f32; 4],
 }
 
-/// Where the values for absent attributes begin, bytes: zeros, then ones.
+/// Offsets of the values for absent attributes in their buffer, bytes: zeros, then ones.
 pub(crate) const ABSENT_ZEROS: u64 = 0;
 pub(crate) const ABSENT_ONES: u64 = 32;
 

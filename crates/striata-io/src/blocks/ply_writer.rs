@@ -21,7 +21,7 @@ pub(super) struct PlyWriter<'a> {
     row: Vec<u8>,
     vertex_count: u32,
     face_count: u32,
-    /// Where the counts of vertices and of faces belong.
+    /// Offsets of the counts of vertices and of faces in the file, bytes.
     counts_at: [u64; 2],
     scratch: &'a ScratchFolder,
 }

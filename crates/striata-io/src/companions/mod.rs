@@ -40,7 +40,7 @@ pub(crate) struct Companion {
 #[derive(Debug)]
 pub(crate) struct OpenedFile {
     pub file: File,
-    /// Where it was found, for messages and to recognize it.
+    /// Path at which it was found, for messages and to recognize it.
     pub path: PathBuf,
 }
 

@@ -1,4 +1,4 @@
-//! What a name may mean: readings that are tried one after another.
+//! Readings of a name: the paths that it may mean, which are tried one after another.
 
 use std::borrow::Cow;
 use std::fmt;

@@ -129,7 +129,7 @@ pub(super) fn mesh_of_primitives<'a>(
     Ok(mesh)
 }
 
-/// What happens to vertices that no triangle has.
+/// Treatment of vertices that no triangle has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Unused {
     /// They are kept, unless several blocks have the same accessors.

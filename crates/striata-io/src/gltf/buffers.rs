@@ -20,7 +20,7 @@ pub(crate) struct Buffers<B> {
     file_bytes: u64,
 }
 
-/// Where the bytes of a buffer are.
+/// Place of the bytes of a buffer.
 #[derive(Clone, Copy)]
 enum Place {
     /// In the binary chunk.

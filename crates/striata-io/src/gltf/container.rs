@@ -22,7 +22,7 @@ pub(super) fn chunks<'b>(
     Ok((&bytes[json], binary.map(|range| &bytes[range])))
 }
 
-/// Returns where the JSON and the binary data are; chunks of other kinds are skipped, as the specification
+/// Returns the ranges of the JSON and the binary data; chunks of other kinds are skipped, as the specification
 /// demands.
 ///
 /// Lengths should be multiples of 4, but some writers do not pad, and others do not count what they pad.
@@ -70,7 +70,7 @@ pub(crate) fn chunk_ranges(
     }
 }
 
-/// Returns where the chunk after one that ends at `end` begins: there, or at the next multiple of 4.
+/// Returns the start of the chunk after one that ends at `end`: there, or at the next multiple of 4.
 fn next_chunk(bytes: &[u8], end: usize) -> usize {
     let aligned = end.next_multiple_of(4);
     let is_chunk = |at: usize| {

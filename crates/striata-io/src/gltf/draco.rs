@@ -49,7 +49,7 @@ impl<'a> DracoLink<'a> {
         Ok(Some(Self { at, view, ids }))
     }
 
-    /// Returns what identifies the vertices of the compressed mesh.
+    /// Returns the key of the vertices of the compressed mesh: its view and the numbers of its attributes.
     pub(crate) fn key(&self) -> DracoKey {
         (self.view, self.ids.clone())
     }

@@ -4,7 +4,7 @@
 
 use serde_json::Value;
 
-/// What happens to an extension when a scene is read, drawn and written.
+/// Treatment of an extension when a scene is read, drawn and written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ExtensionUse {
     /// Understood by readers, pictures and the page, and written again.
@@ -102,7 +102,7 @@ fn entry(extension: &str) -> Option<(ExtensionUse, Contents)> {
     listed.or(is_of_materials.then_some((Carried, Accessors)))
 }
 
-/// Returns what happens to an extension; [`None`] if it is unknown: it is kept as it is if the file does not
+/// Returns the treatment of an extension; [`None`] if it is unknown: it is kept as it is if the file does not
 /// require it, and such a file is refused.
 pub fn extension_use(extension: &str) -> Option<ExtensionUse> {
     entry(extension).map(|(usage, _)| usage)

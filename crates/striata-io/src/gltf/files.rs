@@ -1,4 +1,4 @@
-//! What a glTF file consists of: GLB, JSON with everything embedded, or JSON with files next to it.
+//! Forms of a glTF file: GLB, JSON with everything embedded, or JSON with files next to it.
 
 use std::path::Path;
 
@@ -13,7 +13,7 @@ use crate::image_files::ImageFiles;
 use crate::report::Warnings;
 use crate::{Format, WriteOptions};
 
-/// Where the binary data and images of a document go.
+/// Destination of the binary data and images of a document.
 pub(crate) enum Container<'f, 'm> {
     /// Into the file, which is GLB.
     Glb,

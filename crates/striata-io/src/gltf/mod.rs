@@ -70,7 +70,7 @@ mod write_scene;
 
 use striata::mesh::IndexedMesh;
 
-/// What readers of parts of a document need.
+/// Items that readers of parts of a document need.
 #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
 pub(crate) mod parts {
     pub(crate) use super::accessor::Accessor;

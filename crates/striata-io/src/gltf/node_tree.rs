@@ -17,7 +17,7 @@ pub(crate) struct Instance<'a> {
     /// Transform from the mesh to the scene; the identity for skinned meshes, whose node transforms glTF
     /// ignores.
     pub(crate) matrix: DMat4,
-    /// What its morph targets and its skin do to it.
+    /// Pose that its morph targets and its skin give it.
     pub(crate) pose: RestPose,
 }
 
@@ -66,7 +66,7 @@ impl Transform {
         self.matrix.transform_point3(wide(point)).as_vec3().to_array()
     }
 
-    /// Where the transform places a point, in doubles.
+    /// Transforms a point in double precision.
     pub(crate) fn exact_point(&self, point: [f32; 3]) -> [f64; 3] {
         self.matrix.transform_point3(wide(point)).to_array()
     }

@@ -4,14 +4,14 @@ use std::convert::Infallible;
 
 use serde_json::Value;
 
-/// What a reference refers to.
+/// Kind of entry that a reference refers to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Referent {
     Accessor(Use),
     View,
 }
 
-/// What an accessor is used for; accessors of different uses may not share a buffer view.
+/// Use of an accessor; accessors of different uses may not share a buffer view.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(super) enum Use {
     /// Vertex attribute or morph target.

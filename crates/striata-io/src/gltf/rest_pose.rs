@@ -95,7 +95,7 @@ impl RestPoses {
 }
 
 impl RestPose {
-    /// Returns what identifies the pose.
+    /// Returns the key of the pose: its skin and its morph weights.
     pub(crate) fn key(&self) -> PoseKey {
         (self.skin.as_ref().map(|skin| skin.index), Arc::clone(&self.morph_weights))
     }

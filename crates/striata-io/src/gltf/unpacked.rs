@@ -20,7 +20,7 @@ pub(crate) struct Unpacked<'a> {
     views: Vec<OnceCell<Arc<Vec<u8>>>>,
     draco_meshes: Vec<OnceCell<Arc<DracoMesh>>>,
     bytes: Cell<u64>,
-    /// Where documents over the same buffers keep their data together.
+    /// Cache that documents over the same buffers share, if there is one.
     shared: Option<&'a UnpackedCache>,
 }
 

@@ -31,7 +31,7 @@ struct Seen {
     texcoords: bool,
 }
 
-/// What is known at the end of the file.
+/// Counts, groups and appearance of a file, which are known at its end.
 pub(crate) struct Outline {
     /// Numbers of positions, texture coordinates and normals.
     pub counts: [usize; 3],

@@ -53,7 +53,7 @@ struct MaterialWriter<'w, 'i> {
     appearance: &'w Appearance,
     images: &'w mut ImageFiles<'i>,
     warnings: &'w mut Warnings,
-    /// What MTL has no statement for.
+    /// Names of the properties that MTL has no statement for.
     lost: Vec<String>,
     out: &'w mut String,
 }

@@ -1,4 +1,4 @@
-//! What an OBJ file contains besides triangles, and what is wrong with it: it is left out and counted.
+//! Statements and values of an OBJ file that are left out and counted: other shapes than triangles, and defects.
 //!
 //! This code is out of the way of the usual statements, whose speed is measured.
 

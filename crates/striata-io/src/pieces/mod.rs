@@ -18,6 +18,7 @@ pub(crate) mod ply;
 mod ply_faces;
 pub(crate) mod ply_text;
 pub(crate) mod repaired;
+pub(crate) mod scratch;
 mod several;
 pub(crate) mod spool;
 pub(crate) mod stl;
@@ -84,7 +85,7 @@ pub struct PieceGroup {
     pub material: Option<u32>,
 }
 
-/// What is known about an input before any piece is read.
+/// Counts, layers, groups and appearance of an input, which are known before any piece is read.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PieceSummary {
     /// Name for messages: the file, or the first file and the number of the others.
@@ -126,7 +127,7 @@ pub struct Piece {
 
 /// An input that is read piece by piece.
 pub trait PieceSource: Send + Sync {
-    /// What is known about the whole input.
+    /// Summary of the whole input.
     fn summary(&self) -> &PieceSummary;
 
     /// Number of pieces, of about 100,000 triangles each.

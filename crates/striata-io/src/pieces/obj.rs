@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 
 use striata::mesh::{AttributeLayer, Semantic, relative_position};
 
-use super::input::{Input, Mapped};
+use super::input::Input;
+use super::scratch::Mapped;
 use super::spool::{Spool, origin_near};
 use super::{ComponentType, LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::ReadError;
@@ -45,7 +46,7 @@ struct Writer {
     used: Used,
 }
 
-/// What the corners have.
+/// Kinds of values that the corners have.
 #[derive(Clone, Copy, Default)]
 struct Used {
     colors: bool,

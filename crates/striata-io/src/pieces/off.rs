@@ -2,8 +2,9 @@
 
 use striata::mesh::{AttributeLayer, relative_position};
 
-use super::input::{Input, Mapped};
+use super::input::Input;
 use super::local::localize;
+use super::scratch::Mapped;
 use super::spool::{Spool, origin_near};
 use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::ReadError;

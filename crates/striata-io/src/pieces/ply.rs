@@ -36,7 +36,7 @@ struct VertexRows {
     is_big: bool,
 }
 
-/// Where the elements are.
+/// Places of the vertices and of the faces in the file, if it has them.
 #[derive(Default)]
 struct Located {
     first_vertex: Option<usize>,

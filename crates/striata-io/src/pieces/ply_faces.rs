@@ -18,7 +18,7 @@ pub(super) struct Run {
     pub(super) vertices: Vec<u32>,
 }
 
-/// Where runs of faces begin.
+/// Faces of a file in runs, with the offset at which each run begins.
 #[derive(Clone, Debug)]
 pub(super) struct FaceRuns {
     element: Element,
@@ -37,7 +37,7 @@ enum Starts {
     Listed(Vec<(usize, usize)>),
 }
 
-/// What locating the faces needs to know.
+/// Facts of the file that are needed to locate the faces.
 #[derive(Clone, Copy)]
 pub(super) struct FaceOptions {
     pub(super) is_big: bool,

@@ -17,7 +17,7 @@ use crate::{ReadError, Warning};
 /// A source whose pieces are repaired.
 pub(crate) struct Repaired<S> {
     source: S,
-    /// What was left out of each piece that has been read.
+    /// Warnings about parts left out of each piece that has been read.
     found: Mutex<BTreeMap<u64, Warnings>>,
 }
 

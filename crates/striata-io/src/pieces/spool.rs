@@ -6,7 +6,7 @@ use std::io::{self, BufWriter, Seek as _, SeekFrom, Write as _};
 use striata::mesh::origin_of;
 
 use super::PieceOptions;
-use super::input::{Mapped, scratch_error, scratch_file};
+use super::scratch::{Mapped, scratch_error, scratch_file};
 use crate::ReadError;
 
 /// Temporary file under construction. The first failure is kept until the file is finished, so that parsers

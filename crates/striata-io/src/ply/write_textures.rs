@@ -104,7 +104,7 @@ pub(super) struct FaceTexcoords<'m> {
 }
 
 impl<'m> FaceTexcoords<'m> {
-    /// Returns what the faces of a mesh have; [`None`] if all show the same image.
+    /// Returns the texture coordinates and numbers of the faces of a mesh; [`None`] if all show the same image.
     pub(super) fn of(mesh: &'m IndexedMesh, textures: &'m WrittenTextures) -> Option<Self> {
         let in_text = mesh.layer(&Semantic::TexCoord(0))?;
         let numbers = textures.numbers.as_deref()?;

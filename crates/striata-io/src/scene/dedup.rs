@@ -130,7 +130,7 @@ fn with_merged_vertices(mesh: &IndexedMesh) -> IndexedMesh {
     }
 }
 
-/// What became of the entries of a list.
+/// Result of merging the equal entries of a list.
 struct Merged {
     /// New number of each entry: that of the first equal one.
     numbers: Vec<usize>,

@@ -4,7 +4,7 @@ use serde_json::Value;
 use striata::mesh::{Bounds, IndexedMesh};
 
 use super::SceneError;
-use crate::gltf::{has_triangles, shown_meshes};
+use crate::gltf::has_triangles;
 
 /// A mesh that a node shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,10 +23,6 @@ pub struct SceneInstance {
     pub transform: [f64; 16],
     /// Largest factor by which the transform enlarges a length.
     pub scale: f64,
-}
-
-pub(super) fn instances_of(document: &Value, buffer: &[u8]) -> Result<Vec<SceneInstance>, SceneError> {
-    Ok(shown_meshes(document, buffer)?)
 }
 
 /// Checks everything that code relies on later.

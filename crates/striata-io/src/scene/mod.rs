@@ -49,7 +49,7 @@ use serde_json::Value;
 use striata::mesh::{Bounds, Image, IndexedMesh};
 
 use crate::Warning;
-use crate::gltf::has_triangles;
+use crate::gltf::{has_triangles, shown_meshes};
 
 /// A glTF document with its triangle meshes and images apart.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -84,7 +84,7 @@ impl Scene {
     pub fn from_parts(parts: SceneParts) -> Result<Self, SceneError> {
         let SceneParts { document, buffer, images, meshes } = parts;
         instances::check_parts(&document, buffer.len(), images.len(), &meshes)?;
-        let instances = instances::instances_of(&document, &buffer)?;
+        let instances = shown_meshes(&document, &buffer)?;
         Ok(Self { document, buffer, images, meshes, instances, warnings: Vec::new() })
     }
 
@@ -152,7 +152,7 @@ impl Scene {
         &self.instances
     }
 
-    /// What was missing when the scene was read, such as an image file; empty if nothing was.
+    /// Warnings about parts that were missing when the scene was read, such as an image file; empty if nothing was.
     pub fn warnings(&self) -> &[Warning] {
         &self.warnings
     }

@@ -21,7 +21,7 @@ pub(crate) fn word_of(facet: &[u8]) -> u16 {
     u16::from_le_bytes([facet[48], facet[49]])
 }
 
-/// What the words of a file mean.
+/// Meaning of the attribute words of a file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum FacetForm {
     /// Numbers.
@@ -90,7 +90,7 @@ fn five_bits_of(share: f32) -> u16 {
     (share.clamp(0.0, 1.0) * 31.0).round() as u16
 }
 
-/// What the writer stores in the words of the facets.
+/// Returns the layer that the writer stores in the words of the facets.
 pub(super) fn stored(mesh: &IndexedMesh) -> Option<&AttributeLayer> {
     let is_stored = |layer: &&AttributeLayer| match (&layer.semantic, &layer.data) {
         (Semantic::Color(0), _) => matches!(layer.component_count, 3 | 4),

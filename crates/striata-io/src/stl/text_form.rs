@@ -6,7 +6,7 @@
 
 use striata::mesh::{IndexedMesh, TriangleGroup, origin_of, relative_position};
 
-use super::VertexTable;
+use super::vertex_table::VertexTable;
 use crate::error::{Fault, Place};
 use crate::report::{Kind, Warnings};
 use crate::text::{Cursor, quoted};

@@ -32,7 +32,7 @@ const NONE: u32 = u32::MAX;
 /// Object of a part: the part's number and the identifier.
 type ObjectKey = (usize, u32);
 
-/// What a material comes from.
+/// Source of a material.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Look {
     /// Entry of base materials: part, group, entry.

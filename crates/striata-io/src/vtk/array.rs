@@ -34,7 +34,7 @@ pub(super) enum Values {
     F64(Vec<f64>),
 }
 
-/// What an array means.
+/// Meaning of an array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
     Normals,

@@ -10,7 +10,7 @@ use crate::error::{Fault, Place};
 use crate::foreign::EXTRACT_SURFACE;
 use crate::report::Warnings;
 
-/// What a file contains, over all its pieces.
+/// Points, cells and data of a file, over all its pieces.
 #[derive(Debug, Default)]
 pub(super) struct Grid {
     /// Three coordinates of each point.

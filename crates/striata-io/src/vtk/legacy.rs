@@ -34,7 +34,7 @@ struct CellList {
     place: Place,
 }
 
-/// What the arrays that follow belong to.
+/// Part of the file that the arrays that follow belong to.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Section {
     File,

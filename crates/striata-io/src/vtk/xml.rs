@@ -285,7 +285,7 @@ impl<'a> XmlReader<'a, '_> {
     }
 }
 
-/// Returns what an array of the points means, by the attributes of `PointData` or by its name.
+/// Returns the meaning of an array of the points, by the attributes of `PointData` or by its name.
 fn role_of(name: &str, component_count: usize, values: &Values, roles: &[String; 2]) -> Role {
     let is_float = matches!(values, Values::F32(_) | Values::F64(_));
     let is = |role: &String, usual: &[&str]| role == name || (role.is_empty() && usual.contains(&name));

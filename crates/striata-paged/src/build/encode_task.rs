@@ -15,7 +15,7 @@ use crate::{Import, PageEntry, PageId};
 /// Tables of owned vertices that a task keeps at once.
 const MAX_OWNERS: usize = 200;
 
-/// What encode tasks share.
+/// Inputs that encode tasks share.
 pub(super) struct EncodeInputs {
     /// Steps of all cells.
     steps: PartIndex,

@@ -17,7 +17,7 @@ pub enum BuildError {
     Io {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the system.
         source: io::Error,
     },
     /// A file between two tasks is damaged.
@@ -34,7 +34,7 @@ pub enum BuildError {
     Plan {
         /// The file.
         path: PathBuf,
-        /// What is wrong.
+        /// Reason in words.
         reason: String,
     },
     /// A task of the plan does not exist.

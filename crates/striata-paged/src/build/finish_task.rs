@@ -53,7 +53,7 @@ pub(super) fn run(plan: &Plan) -> Result<(), BuildError> {
     }
 }
 
-/// Where the result goes.
+/// Destination of the result.
 pub(super) enum Destination {
     /// One file.
     File,

@@ -1,4 +1,4 @@
-//! What a build reads.
+//! Inputs of a build: files, or generated data.
 
 use std::fs::File;
 use std::io::Read as _;
@@ -10,7 +10,7 @@ use striata_io::pieces::{FractalTerrain, PieceOptions, PieceSource, Tiles, open_
 
 use super::BuildError;
 
-/// What a build reads. It is stored in the plan, so every task opens it again.
+/// Input of a build. It is stored in the plan, so every task opens it again.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum BuildInput {

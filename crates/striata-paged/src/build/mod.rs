@@ -46,7 +46,7 @@ const BYTES_PER_COMPONENT: u64 = 8;
 /// Memory that one thread needs for a cell of the default size, in bytes.
 const THREAD_BYTES: u64 = 250 << 20;
 
-/// What a build will need.
+/// Estimated sizes of a build.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Estimate {
     /// Bytes of the work folder.
@@ -83,7 +83,7 @@ impl Plan {
         Ok(plan)
     }
 
-    /// What the build will need.
+    /// Estimates the bytes of the work folder and of the result, and the number of pages.
     pub fn estimate(&self) -> Estimate {
         let triangles = self.metadata.triangle_count;
         let components: u64 = self.metadata.layers.iter().map(|l| u64::from(l.component_count)).sum();

@@ -22,7 +22,7 @@ const WELD_NAME: &str = "weld.bin";
 /// Name of the partition in the same folder.
 const PARTITION_NAME: &str = "partition.bin";
 
-/// What a task does.
+/// Work of a task.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum TaskKind {
@@ -51,7 +51,7 @@ impl TaskKind {
 /// One task: it reads results of earlier stages and writes one file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Task {
-    /// What it does.
+    /// Work of the task.
     pub kind: TaskKind,
     /// First piece or cell.
     pub first: u64,
@@ -81,22 +81,22 @@ impl Stage {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Plan {
     version: u32,
-    /// What is read.
+    /// Input that is read.
     pub input: BuildInput,
     /// The files of the input when it was read first.
     inputs: Vec<InputState>,
     /// How it is built.
     pub options: BuildOptions,
-    /// What the result says about the mesh.
+    /// Metadata of the mesh, which the result contains.
     pub metadata: Metadata,
-    /// Where the result goes: a file, or a folder if the path ends in a separator or has no extension.
+    /// Path of the result: a file, or a folder if the path ends in a separator or has no extension.
     pub output: PathBuf,
     /// All tasks, by stage.
     pub tasks: Vec<Task>,
     /// Folder of the plan and of the results of tasks.
     #[serde(skip)]
     pub folder: PathBuf,
-    /// What was left out of the input when it was read for the plan; empty for a plan that is opened again.
+    /// Warnings about parts left out when the input was read for the plan; empty for a plan that is opened again.
     #[serde(skip)]
     pub warnings: Vec<striata_io::Warning>,
     /// Remark on how positions are kept; none for a plan that is opened again.
@@ -108,7 +108,7 @@ pub struct Plan {
     weld: WeldMap,
 }
 
-/// What is known about an input once it has been read for the first time.
+/// Facts of an input that are known once it has been read for the first time.
 pub(super) struct Scanned {
     pub(super) metadata: Metadata,
     pub(super) partition: Partition,

@@ -125,7 +125,7 @@ fn progress_of(plan: &Plan, stage: &Stage) -> (&'static str, u64, u64) {
     (name(&stage.name), before as u64, alike().fold(0, sum) as u64)
 }
 
-/// What the tasks of a stage share.
+/// Inputs that the tasks of a stage share.
 enum StageInputs {
     Sort(Box<dyn striata_io::pieces::PieceSource>),
     Level(u8, PartIndex),

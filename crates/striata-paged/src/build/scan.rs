@@ -19,7 +19,7 @@ const SAMPLE_STRIDE: usize = 32;
 /// Largest number of edges of a piece that are measured.
 const EDGES_PER_PIECE: usize = 512;
 
-/// What is known about one piece.
+/// Bounds, number of triangles and samples of one piece.
 #[derive(Default)]
 struct PieceScan {
     min: [f32; 3],

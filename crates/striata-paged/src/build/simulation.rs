@@ -31,12 +31,12 @@ impl Default for TaskCosts {
     }
 }
 
-/// What is simulated.
+/// Workers, costs and failures of a simulation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SimulationOptions {
     /// Number of workers, each with one core; at least 1.
     pub workers: usize,
-    /// What tasks cost.
+    /// Seconds of one core that tasks take.
     pub costs: TaskCosts,
     /// Share of the attempts that fail after a random part of their time, 0 to 0.9; default 0.
     pub failing_share: f64,
@@ -51,7 +51,7 @@ impl SimulationOptions {
     }
 }
 
-/// What one stage takes.
+/// Time and load of one stage.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SimulatedStage {
     /// Name of the stage.
@@ -62,7 +62,7 @@ pub struct SimulatedStage {
     pub busy_share: f64,
 }
 
-/// What a simulated build takes.
+/// Time and bytes that a simulated build takes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Simulation {
     /// Number of workers.

@@ -16,7 +16,7 @@ pub(super) struct Gate {
     is_open: bool,
 }
 
-/// What is open at a node.
+/// Open edges at a node, and the vertex that was last seen there.
 #[derive(Clone, Copy)]
 struct Node {
     /// Gate that began last at the node, or [`NONE`].

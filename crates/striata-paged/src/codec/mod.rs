@@ -78,7 +78,7 @@ pub(super) struct Counts {
     triangles: usize,
     /// Pages of imports, ascending.
     pages: Vec<u32>,
-    /// Where positions are.
+    /// Coarsest lattice that contains all positions.
     lattice: Lattice,
 }
 

@@ -131,12 +131,12 @@ impl CornersOfVertices {
     }
 }
 
-/// What the neighbors of a vertex have become.
+/// Neighbors of a vertex: those at full detail, and the current ones.
 #[derive(Default)]
 struct Neighbors {
     /// Neighbors at full detail.
     original: Vec<u32>,
-    /// What they have become, each once, at most 15.
+    /// Vertices that they have collapsed to so far, each once, at most 15.
     known: Vec<u32>,
 }
 

@@ -18,7 +18,7 @@ const NEW: usize = 1;
 const CANDIDATES: usize = 2;
 const OTHER: usize = 6;
 
-/// What has been coded. Owned vertices are numbered as they are met, imports from [`Shape::IMPORTS`].
+/// Part of a page that has been coded. Owned vertices are numbered as they are met, imports from [`Shape::IMPORTS`].
 #[derive(Default)]
 pub(super) struct Shape {
     /// Positions, in the order in which they are met.

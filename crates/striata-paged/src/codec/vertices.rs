@@ -1,4 +1,4 @@
-//! What a new corner brings: an import, or the position, attributes, key and error of an owned vertex.
+//! Codes the vertex of a new corner: an import, or the position, attributes, key and error of an owned vertex.
 
 use striata::mesh::LayerData;
 use striata_stream::entropy::{AdaptiveBit, Coder, QuickNumber, Rate};

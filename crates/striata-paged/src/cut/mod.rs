@@ -52,7 +52,7 @@ pub struct CutPages<'a> {
     metadata: &'a Metadata,
 }
 
-/// What pages tell coarser ones while a level is cut.
+/// Messages from pages to coarser ones while a level is cut.
 struct Messages {
     /// For each page, the owned positions that finer pages need.
     is_needed: Vec<Vec<AtomicBool>>,
@@ -60,7 +60,7 @@ struct Messages {
     replaced: Vec<Mutex<Replaced>>,
 }
 
-/// What one page contributes to a level.
+/// Triangles, number of refined steps and error that one page contributes to a level.
 #[derive(Default)]
 struct Contribution {
     /// Corners in the numbering of all pages, and group.

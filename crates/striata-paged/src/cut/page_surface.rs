@@ -103,7 +103,7 @@ impl<'a> PageSurface<'a> {
         }
     }
 
-    /// What a criterion judges about the step of the gathered position: the longest edge there is the radius.
+    /// Returns the part that a criterion judges for the step of the gathered position: its longest edge is the radius.
     pub(super) fn part(&self, position: u32) -> Part {
         let center = self.points[self.page.first[position as usize] as usize];
         let squared = |v: u32| {

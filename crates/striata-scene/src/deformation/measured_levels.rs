@@ -14,7 +14,7 @@ use crate::pose::Poser;
 
 /// Ratio of the steps of one measured level to those of the next finer one.
 const LEVEL_RATIO: f64 = 0.7;
-/// The same for small meshes, and the number of vertices, summed over the poses, up to which a mesh is small.
+/// Ratio for small meshes, and the number of vertices, summed over the poses, up to which a mesh is small.
 const DENSE_LEVEL_RATIO: f64 = 0.9;
 const SMALL_WORK: usize = 1 << 18;
 /// Factor on the largest distances. Between two of 32 evenly spread times, a distance that rises and falls

@@ -1,4 +1,4 @@
-//! Where the meshes of a scene are at a time of an animation.
+//! Transforms, joints and morph weights of the instances of a scene at a time of an animation.
 
 use glam::DMat4;
 use striata_io::Scene;
@@ -20,7 +20,7 @@ pub struct DrawnInstance {
 }
 
 impl Poser {
-    /// Returns what has to be drawn in a pose: one entry for each of [`Scene::instances`].
+    /// Returns the meshes as a pose shows them: one entry for each of [`Scene::instances`].
     pub fn instances(&self, scene: &Scene, pose: &Pose) -> Vec<DrawnInstance> {
         let shown = scene.instances().iter().map(|instance| {
             let joints = self.joint_matrices(pose, instance);

@@ -1,4 +1,4 @@
-//! What has to be drawn: the materials, images, instances, lights and cameras of a scene as plain values.
+//! Data for drawing: the materials, images, instances, lights and cameras of a scene as plain values.
 //!
 //! Renderers need numbers, not the JSON of a document. [`materials`] reads the materials of any
 //! [`Scene`](striata_io::Scene), `decode_images` turns the images that they use into pixels,

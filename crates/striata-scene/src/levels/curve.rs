@@ -1,4 +1,4 @@
-//! What each step of coarsening adds to the squared error of a mesh, and in what order several meshes are coarsened.
+//! Squared error that each step of coarsening adds to a mesh, and the order in which several meshes are coarsened.
 //!
 //! The squared error of a step is the integral of the squared distance that it moves the surface, with the change of
 //! attributes as a length: the measure by which the simplifier orders the steps of a single mesh. It is computed from

@@ -182,7 +182,7 @@ impl SceneView {
         shown.map(|instance| self.shown(instance).map_or(0, |shown| shown.indices.len() / 3)).sum()
     }
 
-    /// Returns what an instance shows; [`None`] if it does not exist, or its mesh has no triangles.
+    /// Returns the indices that an instance shows; [`None`] if it does not exist, or its mesh has no triangles.
     pub fn shown(&self, instance: usize) -> Option<ShownIndices<'_>> {
         let state = self.instances.get(instance)?;
         let mesh = self.meshes[state.mesh].as_ref()?;

@@ -17,7 +17,7 @@ pub(super) struct AccessorPlace {
     pub(super) is_wide: bool,
 }
 
-/// Returns where an accessor without sparse data lies, if all of it is inside the buffer.
+/// Returns the place of an accessor without sparse data in the buffer, if all of it is inside.
 pub(super) fn place_of(document: &Value, accessor: &Value, buffer_bytes: usize) -> Option<AccessorPlace> {
     let view = referred(document, "bufferViews", accessor, "bufferView")?;
     let component_bytes = match accessor.get("componentType")?.as_u64()? {

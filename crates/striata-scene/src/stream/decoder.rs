@@ -13,7 +13,7 @@ use super::packet::{HEADER_BYTES, Header, PacketHead, PacketKind, read_header};
 use super::prefix::{ReceivedDocument, check_head, prefix_document, prefix_scene};
 use super::received::{Received, ReceivedMesh};
 
-/// What one call to the decoder brought.
+/// Parts of a scene that one call to the decoder has received or improved.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct SceneStreamUpdate {
@@ -41,7 +41,7 @@ impl SceneStreamUpdate {
 pub struct MeshUpdate {
     /// Index of the mesh.
     pub mesh: usize,
-    /// What has changed.
+    /// Change that the bytes of its stream have made.
     pub update: StreamUpdate,
 }
 
@@ -295,7 +295,7 @@ impl SceneStreamDecoder {
         self.received.as_ref().map_or(0, |received| received.images.len())
     }
 
-    /// What has been received of an image; [`None`] if there is no such image, or the document has not
+    /// Returns the received part of an image; [`None`] if there is no such image, or the document has not
     /// arrived.
     pub fn image(&self, image: usize) -> Option<ReceivedImage<'_>> {
         let received = self.received.as_ref()?;

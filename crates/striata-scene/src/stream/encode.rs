@@ -29,7 +29,7 @@ use crate::mesh_simplifier::{MeshSimplifier, stage};
 pub struct EncodedScene {
     /// Bytes of the stream.
     pub bytes: Vec<u8>,
-    /// What the bytes are spent on.
+    /// Bytes of each part of the stream.
     pub sizes: SceneStreamSizes,
 }
 
@@ -179,7 +179,7 @@ impl MeshStream {
         self.info.chunks.get(1..).unwrap_or(&[])
     }
 
-    /// What its refinement costs and gains.
+    /// Returns the bytes of each chunk of its refinement, and the error before it.
     pub(super) fn costs(&self) -> MeshCosts {
         MeshCosts {
             bytes: self.refinement().iter().map(|chunk| chunk.bytes).collect(),
@@ -230,7 +230,7 @@ fn encode_meshes(
     Ok(streams)
 }
 
-/// What failed while a mesh was encoded.
+/// Error of encoding a mesh: from simplifying it, or from its stream.
 enum MeshFault {
     Simplify(SimplifyError),
     Stream(StreamError),

@@ -13,7 +13,7 @@ pub enum SceneEncodeError {
     Simplify {
         /// Index of the mesh.
         mesh: usize,
-        /// What failed.
+        /// Error of the simplification.
         source: SimplifyError,
     },
     /// A mesh cannot be encoded.
@@ -21,7 +21,7 @@ pub enum SceneEncodeError {
     Stream {
         /// Index of the mesh.
         mesh: usize,
-        /// What failed.
+        /// Error of encoding its stream.
         source: StreamError,
     },
     /// A part is too long for the format.
@@ -89,7 +89,7 @@ pub enum SceneStreamError {
     Mesh {
         /// Index of the mesh.
         mesh: usize,
-        /// What is wrong.
+        /// Error of decoding its stream.
         source: DecodeError,
     },
     /// A mesh, an image or the buffer contradicts the document.
@@ -98,7 +98,7 @@ pub enum SceneStreamError {
     /// The scene cannot be drawn yet.
     #[error("the scene cannot be drawn yet: {missing} has not arrived")]
     NotDrawable {
-        /// What is missing.
+        /// Name of the missing part.
         missing: &'static str,
     },
     /// The decoder accepts no more bytes after an error or after `finish`.

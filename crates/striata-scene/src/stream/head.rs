@@ -8,7 +8,7 @@ use super::deflate::{deflate, inflate};
 use super::packet::{PLAIN_VERSION, SHARING_VERSION};
 use crate::copies::Copies;
 
-/// What the first packet contains.
+/// Content of the first packet: the document, and a table of everything that follows.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct SceneHead {
     /// The glTF document, without geometry and images.

@@ -8,7 +8,7 @@ use super::image_use::image_areas;
 use super::schedule::{Item, WholeCosts};
 use crate::textures::{TextureRole, image_info, image_roles};
 
-/// What a writer sends of an image.
+/// Image as a writer sends it: its entry in the table, its preview, and measures of its importance.
 #[derive(Clone, Debug, Default)]
 pub(super) struct PreparedImage {
     pub(super) entry: ImageEntry,
@@ -97,7 +97,7 @@ fn preview_of(_: &[u8], _: TextureRole, _: u32) -> Option<(Vec<u8>, [u8; 4], f64
 }
 
 impl PreparedImage {
-    /// What the image costs and gains, in a scene with this diagonal.
+    /// Returns the bytes of the image and the geometric error that it stands for, in a scene with this diagonal.
     pub(super) fn costs(&self, image: usize, diagonal: f64) -> WholeCosts {
         let error = if diagonal > 0.0 { self.area * self.lost_contrast / (4.0 * diagonal) } else { 0.0 };
         let item = Item::Image(image);
@@ -124,7 +124,7 @@ pub enum ImageState {
     Full,
 }
 
-/// What has been received of an image.
+/// Part of an image that has been received: the image, its preview, or its average color only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct ReceivedImage<'d> {

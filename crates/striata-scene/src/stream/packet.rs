@@ -14,7 +14,7 @@ pub(super) const SHARING_VERSION: u8 = 2;
 /// Length of the header before the first packet, bytes.
 pub(super) const HEADER_BYTES: usize = 16;
 
-/// What a packet contains.
+/// Content of a packet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum PacketKind {
     /// The document with the table of everything else.
@@ -46,7 +46,7 @@ pub(super) struct PacketHead {
     pub(super) head_bytes: usize,
 }
 
-/// What the header of a stream contains.
+/// Version and length in the header of a stream.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Header {
     pub(super) version: u8,

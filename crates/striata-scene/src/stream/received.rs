@@ -1,4 +1,4 @@
-//! What the reader has received of each part of a scene.
+//! Parts of a scene that the reader has received: meshes, images, and the buffer.
 
 use striata::mesh::RefinableMesh;
 use striata_stream::{DecodeError, StreamDecoder, StreamInfo, StreamUpdate};
@@ -22,7 +22,7 @@ pub(super) struct Received {
     pub(super) parts: [Option<Vec<u8>>; PART_COUNT],
 }
 
-/// What has been received of a mesh.
+/// The stream of a mesh as far as it has been received, with its decoder.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ReceivedMesh {
     pub(super) entry: MeshEntry,
@@ -33,7 +33,7 @@ pub(super) struct ReceivedMesh {
     is_checked: bool,
 }
 
-/// What has been received of an image.
+/// Bytes that have been received of an image and of its preview.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ImageData {
     pub(super) preview: Vec<u8>,
@@ -56,7 +56,7 @@ impl Received {
         }
     }
 
-    /// What has been received of a mesh, which may be the stream of another one.
+    /// Returns the stream of a mesh as far as it has been received, which may be that of another mesh.
     pub(super) fn mesh(&self, mesh: usize) -> Option<&ReceivedMesh> {
         self.meshes[*self.head.sources.get(mesh)?].as_ref()
     }

@@ -17,7 +17,7 @@
 
 use std::ops::Range;
 
-/// What a mesh costs and gains.
+/// Lengths of the chunks of a mesh, and the errors that they reduce.
 #[derive(Clone, Debug, Default)]
 pub(super) struct MeshCosts {
     /// Length of each chunk after the base, bytes.
@@ -26,7 +26,7 @@ pub(super) struct MeshCosts {
     pub(super) errors: Vec<f64>,
 }
 
-/// What something costs and gains that is of no use in part.
+/// Bytes and error of an item that is of no use in part.
 #[derive(Clone, Debug)]
 pub(super) struct WholeCosts {
     pub(super) item: Item,

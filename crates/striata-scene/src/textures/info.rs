@@ -79,7 +79,7 @@ impl fmt::Display for ImageFormat {
     }
 }
 
-/// What the header of an image states.
+/// Format and size of an image, from its header.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct ImageInfo {

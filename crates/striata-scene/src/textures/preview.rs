@@ -25,7 +25,7 @@ const QUALITIES: [u8; 3] = [70, 82, 92];
 
 /// Root mean square error of a preview that is still accepted, steps of 1/255: for colors and numbers.
 const COLOR_ERROR: f32 = 7.0;
-/// The same for normals, in which errors show as false highlights.
+/// Accepted error of a preview of normals, steps of 1/255; less, because their errors show as false highlights.
 const NORMAL_ERROR: f32 = 5.0;
 
 /// Makes a preview of which no side is longer than `max_side` pixels.

@@ -68,7 +68,7 @@ impl TextureOptions {
     }
 }
 
-/// What became of an image.
+/// Result of re-encoding an image.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum RecodedImage {
     /// It is small enough and has the requested format: its bytes stay as they are.

@@ -10,7 +10,7 @@ use super::role::image_roles;
 use super::sources::{with_webp_sources, without_sources};
 use super::{EncodedImage, ImageFormat, TextureError};
 
-/// What became of the images of a scene.
+/// Results of re-encoding the images of a scene.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct TextureReport {

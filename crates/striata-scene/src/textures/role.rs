@@ -1,4 +1,4 @@
-//! What the pixels of an image mean to the materials that use it.
+//! Meaning of the pixels of an image to the materials that use it.
 
 use serde_json::{Map, Value};
 
@@ -16,7 +16,7 @@ pub enum TextureTransfer {
     Normal,
 }
 
-/// What the alpha channel of an image means.
+/// Meaning of the alpha channel of an image.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum AlphaUse {
     /// No material looks at it.
@@ -28,7 +28,7 @@ pub enum AlphaUse {
     Data,
 }
 
-/// What the pixels of an image mean.
+/// Meaning of the channels of an image: color and alpha.
 ///
 /// The default, for images that no material uses, keeps all channels and treats them as colors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -1,4 +1,4 @@
-//! What the vertices of a mesh contain, for comparing levels with their full mesh.
+//! Data of the vertices of a mesh, for comparing levels with their full mesh.
 
 use std::collections::BTreeMap;
 

@@ -11,8 +11,8 @@ use crate::refine::growth::GrowingMesh;
 use crate::refine::parameters::StreamParameters;
 use crate::refine::refiner::MeshRefiner;
 use crate::writer::defect::BatchDefect;
+use crate::writer::defect::StreamError;
 use crate::writer::descent::Descent;
-use crate::writer::encode::StreamError;
 use crate::writer::reference_mesh::{ReferenceMesh, VertexData, base_of};
 
 /// Maximum number of splits per chunk, the unit of checksums and of requests.

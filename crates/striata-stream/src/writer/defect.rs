@@ -1,4 +1,12 @@
-//! Errors about sequences that cannot be encoded in batches.
+//! Reasons why a mesh or its sequence cannot be encoded.
+
+use striata::Cancelled;
+use striata::file::EncodeError;
+use striata::mesh::MeshError;
+
+use crate::format::grid::GridError;
+use crate::format::header::MAX_COMPONENTS;
+use crate::layers::options::LayerBitsError;
 
 /// Why a sequence does not consist of valid batches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -28,4 +36,37 @@ pub enum BatchDefect {
         /// Number of steps in the sequence.
         step_count: usize,
     },
+}
+
+/// Why a mesh cannot be encoded as a stream.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum StreamError {
+    /// The mesh is invalid.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// The requested position grid does not exist.
+    #[error(transparent)]
+    Grid(#[from] GridError),
+    /// A layer has an invalid number of bits.
+    #[error(transparent)]
+    Layers(#[from] LayerBitsError),
+    /// The steps do not form valid batches.
+    #[error(transparent)]
+    Batches(#[from] BatchDefect),
+    /// The attribute layers have too many components.
+    #[error(
+        "the attribute layers have {number_count} components per vertex, but a stream can store at most {}",
+        MAX_COMPONENTS
+    )]
+    Numbers {
+        /// Number of integers that the stream would store for each vertex.
+        number_count: usize,
+    },
+    /// A metadata text is too long.
+    #[error(transparent)]
+    Text(#[from] EncodeError),
+    /// The progress callback asked to stop.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }

@@ -9,7 +9,7 @@ use std::ops::Range;
 use striata::mesh::RefinableMesh;
 use striata::{Progress, ProgressFn};
 
-use crate::writer::encode::StreamError;
+use crate::writer::defect::StreamError;
 use crate::writer::general_stage::GeneralStage;
 use crate::writer::level::{LevelTriangles, check_base};
 use crate::writer::surface_stage::SurfaceStage;

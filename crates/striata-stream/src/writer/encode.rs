@@ -1,8 +1,7 @@
 //! The entry point of the writer: options, [`encode_stream`], and statistics on where the bits went.
 
-use striata::file::EncodeError;
-use striata::mesh::{Bounds, IndexedMesh, MeshError, RefinableMesh};
-use striata::{Cancelled, ProgressFn, ignore_progress};
+use striata::mesh::{Bounds, IndexedMesh, RefinableMesh};
+use striata::{ProgressFn, ignore_progress};
 
 use crate::base::coder::BaseLimits;
 use crate::format::effort::Effort;
@@ -10,11 +9,11 @@ use crate::format::grid::{GridError, PositionGrid};
 use crate::format::header::{ChunkEntry, GroupName, MAX_COMPONENTS, StreamHeader};
 use crate::layers::form::LayerForm;
 use crate::layers::layer_neighborhood::LayerValues;
-use crate::layers::options::{LayerBitsError, LayerOptions};
+use crate::layers::options::LayerOptions;
 use crate::layers::triangle_data;
 use crate::refine::parameters::StreamParameters;
 use crate::writer::chunks::{Chunks, check_batches, encode_chunks};
-use crate::writer::defect::BatchDefect;
+use crate::writer::defect::StreamError;
 use crate::writer::descent::Descent;
 use crate::writer::reference_mesh::VertexData;
 
@@ -142,39 +141,6 @@ pub struct EncodedStream {
     pub sizes: StreamSizes,
     /// For each vertex that a decoder produces, the index of the vertex in the source mesh.
     pub source_vertex: Vec<u32>,
-}
-
-/// Why a mesh cannot be encoded as a stream.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum StreamError {
-    /// The mesh is invalid.
-    #[error(transparent)]
-    Mesh(#[from] MeshError),
-    /// The requested position grid does not exist.
-    #[error(transparent)]
-    Grid(#[from] GridError),
-    /// A layer has an invalid number of bits.
-    #[error(transparent)]
-    Layers(#[from] LayerBitsError),
-    /// The steps do not form valid batches.
-    #[error(transparent)]
-    Batches(#[from] BatchDefect),
-    /// The attribute layers have too many components.
-    #[error(
-        "the attribute layers have {number_count} components per vertex, but a stream can store at most {}",
-        MAX_COMPONENTS
-    )]
-    Numbers {
-        /// Number of integers that the stream would store for each vertex.
-        number_count: usize,
-    },
-    /// A metadata text is too long.
-    #[error(transparent)]
-    Text(#[from] EncodeError),
-    /// The progress callback asked to stop.
-    #[error(transparent)]
-    Cancelled(#[from] Cancelled),
 }
 
 /// Encodes a mesh with its collapse sequence as a progressive stream.

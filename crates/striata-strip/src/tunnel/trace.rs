@@ -143,7 +143,7 @@ impl Trace {
         Some(run)
     }
 
-    /// Returns what is at the far end of a run, if the strip continues from there.
+    /// Returns the element of the tunnel at the far end of a run, if the strip continues from there.
     fn far_end(
         &self,
         run: Run,

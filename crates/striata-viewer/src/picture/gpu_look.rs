@@ -13,7 +13,7 @@ use super::scene_look::SceneLook;
 use super::shot::{LineTriangles, Shot};
 use crate::lit::{lit_image, lit_lights, lit_material};
 
-/// What pictures with materials share: the shader, and the materials of the last look.
+/// Painter of pictures with materials: the shader, and the materials of the last look.
 #[derive(Debug)]
 pub(super) struct LookPainter {
     painter: LitPainter,

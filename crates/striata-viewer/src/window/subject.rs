@@ -1,4 +1,4 @@
-//! What the window shows: one mesh with its models, or a scene.
+//! Subject of the window: one mesh with its models, or a scene.
 
 use std::sync::Arc;
 
@@ -47,7 +47,7 @@ impl Subject {
         }
     }
 
-    /// Where the subject comes from.
+    /// Origin of the subject: the name, kind and size of its file.
     pub(super) fn origin(&self) -> &Origin {
         match self {
             Self::Mesh(mesh) => &mesh.origin,

@@ -363,7 +363,7 @@ impl<'a> StriataFile<'a> {
         Ok(model)
     }
 
-    /// Where the later stages of LodStrips begin.
+    /// Split counts at which the later stages of LodStrips begin, and their numbers of strips.
     fn stage_heads(&self) -> Result<Vec<StageHead>, DecodeError> {
         let kind = SectionKind::STAGES;
         let table = self.container.numbers::<u32>(kind)?;

@@ -30,7 +30,7 @@ pub fn origin_of(positions: &[[f64; 3]]) -> [f64; 3] {
     })
 }
 
-/// Where most of a mesh is, however far away the rest may be.
+/// Middle and size of most of a mesh, however far away the rest may be.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Extent {
     /// Median of each coordinate.

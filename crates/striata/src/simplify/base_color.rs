@@ -11,7 +11,7 @@ use glam::Vec4;
 /// Larger images are halved until no side has more pixels.
 const MAX_SIDE: u32 = 512;
 
-/// What happens outside the unit square of texture coordinates.
+/// Continuation of an image outside the unit square of texture coordinates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Wrap {
     /// The image repeats.

@@ -234,7 +234,7 @@ pub(super) fn check_locked(locked_vertices: &[u32], vertex_count: usize) -> Resu
     }
 }
 
-/// Where the vertices of a simplified mesh may lie.
+/// Positions that the vertices of a simplified mesh may have.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Placement {
@@ -271,7 +271,7 @@ pub struct SimplifyOptions {
     pub target: Target,
     /// Upper limit of the error, in mesh units, whatever the target; default none.
     pub tolerance: Option<f64>,
-    /// Where vertices may lie; default [`Placement::Subset`].
+    /// Positions that vertices may have; default [`Placement::Subset`].
     pub placement: Placement,
     /// How collapses are ordered, and what they must respect.
     pub sequence: SequenceOptions,

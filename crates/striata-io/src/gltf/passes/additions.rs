@@ -13,10 +13,10 @@ use super::{GltfParts, array_length, push_entries};
 pub(super) const ARRAY_BUFFER: u32 = 34962;
 pub(super) const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 
-/// What the elements of a buffer view have in common.
+/// Properties that the elements of a buffer view have in common.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct ViewKind {
-    /// What the elements are used for.
+    /// Use of the elements, in words.
     pub role: String,
     /// Number of the component type.
     pub component: u32,

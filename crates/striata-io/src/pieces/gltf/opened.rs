@@ -8,7 +8,8 @@ use crate::error::Fault;
 use crate::gltf::parts::{
     Buffers, Document, JsonNode, UnpackedCache, check_requirements, chunk_ranges, parse,
 };
-use crate::pieces::input::{Input, Mapped};
+use crate::pieces::input::Input;
+use crate::pieces::scratch::Mapped;
 use crate::report::Warnings;
 use crate::{Format, ReadError};
 
@@ -20,7 +21,7 @@ pub(super) struct OpenedDocument {
     root: Value,
     json_bytes: usize,
     input: Input,
-    /// Where the binary chunk is.
+    /// Range of the binary chunk in the file, bytes; [`None`] if there is none.
     chunk: Option<Range<usize>>,
     buffers: Buffers<Mapped>,
     /// Decompressed views and meshes.

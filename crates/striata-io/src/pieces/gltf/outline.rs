@@ -1,4 +1,4 @@
-//! What a scene shows: every primitive with its place, its group and its number of triangles. The data are
+//! Outline of a scene: every shown primitive with its place, its group and its number of triangles. Data are
 //! only read to count the triangles of strips, fans and compressed meshes.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -62,7 +62,7 @@ pub(super) struct PrimitiveOutline {
     has_normals: bool,
 }
 
-/// Where a node shows a mesh, and in which pose.
+/// Transform and pose in which a node shows a mesh.
 pub(super) struct Placement {
     matrix: DMat4,
     pub(super) pose: RestPose,
@@ -88,7 +88,7 @@ impl Placement {
     }
 }
 
-/// What distinguishes transforms.
+/// Returns the bits of a transform, to compare it with others; [`None`] for the identity.
 fn bits(matrix: &DMat4) -> Option<[u64; 16]> {
     // Negative zeros make no identity different from another.
     (*matrix != DMat4::IDENTITY).then(|| matrix.to_cols_array().map(f64::to_bits))

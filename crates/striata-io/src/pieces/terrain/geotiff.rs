@@ -136,7 +136,7 @@ fn item(xml: &str, role: &str) -> Option<f64> {
     content.split_once('<')?.0.trim().parse().ok()
 }
 
-/// Where the samples are, and whether rows begin in the south; one unit apart if the file does not say.
+/// Reads the place of the samples, and whether rows begin in the south; one unit apart if the file does not say.
 fn placement(
     decoder: &mut Decoder<BufReader<File>>,
     name: &str,

@@ -1,9 +1,9 @@
-//! What all rasters of heights have in common.
+//! Interface of all rasters of heights: their size, place and samples.
 
 use crate::ReadError;
 use crate::error::Place;
 
-/// Where the samples of a raster are.
+/// Coordinates of the samples of a raster.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Placement {
     /// Coordinates of the upper left sample.
@@ -23,7 +23,7 @@ pub(super) trait Raster: Send + Sync {
     fn name(&self) -> &str;
     /// Columns and rows.
     fn size(&self) -> [u64; 2];
-    /// Where the samples are.
+    /// Coordinates of the samples.
     fn placement(&self) -> &Placement;
     /// Whether heights are samples as they are; otherwise the raster itself leaves out samples without heights.
     fn is_raw(&self) -> bool {

@@ -81,7 +81,7 @@ pub(in crate::window) fn animation_section(subject: &SceneSubject, playback: &mu
     response.on_disabled_hover_text("Choose an animation first");
 }
 
-/// What the user wants to do with a row of the tree.
+/// Action of the user on a row of the tree.
 enum TreeAction {
     Hide(usize, bool),
     Fold(usize),

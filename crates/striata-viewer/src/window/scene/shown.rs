@@ -1,4 +1,4 @@
-//! What a frame shows of a scene: the triangles and the place of each instance.
+//! A scene as a frame shows it: the triangles and the place of each instance.
 
 use std::time::Instant;
 

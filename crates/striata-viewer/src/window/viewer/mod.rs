@@ -58,7 +58,7 @@ pub(super) struct Frame {
     pub(super) is_animated: bool,
 }
 
-/// What the picture shows, at the level and in the pose of the last request.
+/// Content of the picture, at the level and in the pose of the last request.
 enum Shown {
     Mesh { instance: Box<ModelInstance>, request: Option<LevelRequest> },
     Scene { scene: Box<ShownScene>, request: Option<SceneRequest> },

@@ -111,7 +111,7 @@ impl Geomorph<usize> {
 }
 
 impl<S> Geomorph<S> {
-    /// Returns what to draw while blending: an instance, or the split count of a uniform level.
+    /// Returns the level to draw while blending: an instance, or the split count of a uniform level.
     pub fn drawn(&self) -> &S {
         &self.drawn
     }

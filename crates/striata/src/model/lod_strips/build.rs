@@ -85,7 +85,7 @@ struct Builder<'r> {
     sequence: &'r CollapseSequence,
     stages: Vec<Stage<'static>>,
     current: CurrentStage,
-    /// What the last step has done to the current strips.
+    /// Edits of the last step to the current strips, with the vertex that each belongs to.
     step_edits: Vec<(u32, Edit)>,
     /// Records in the order in which they are written: from the last vertex to the base.
     arena: Vec<u8>,

@@ -7,7 +7,7 @@ const BLOCK_SHIFT: u32 = 4;
 /// Number of flags that are scanned together.
 const WORD: usize = 8;
 
-/// What has changed since the last synchronization.
+/// Blocks of slots that have changed since the last synchronization, or the whole stage.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Changes {
     /// A flag for each block of slots of the current stage, rounded up to whole words. A byte each: setting a

@@ -96,7 +96,7 @@ pub(crate) struct LodStripsParts<'a> {
     pub(crate) arena: Cow<'a, [u8]>,
 }
 
-/// What all records of a model do.
+/// Counts of the edits in all records of a model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct EditCounts {
     /// Number of indices that are replaced.

@@ -35,7 +35,7 @@ impl<'a> Stage<'a> {
     }
 }
 
-/// What is known of a stage before its strips are read.
+/// Split count and numbers of strips of a stage, which are known before its strips are read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct StageHead {
     pub(crate) split_count: usize,

@@ -1,7 +1,7 @@
 //! Exchanges a floor and a ceiling of an instance: inserts and removes single fragments.
 
 use super::instance::{PatternInstance, Scratch, Shared, Slot};
-use super::overlaps::{MAX_RUN, Share, Sharing};
+use super::overlaps::{MAX_RUN, Share, Sharing, run_location};
 use super::records::{Head, Up};
 use super::rule::{NONE, first_corner};
 use super::rule_table::{Number, RuleRef, RuleView, of_rule};
@@ -51,13 +51,6 @@ impl Locals for Vec<u32> {
 struct FreedSlots {
     few: [u32; FEW],
     count: usize,
-}
-
-/// Location of a triangle in a floor: where its run begins, and how many triangles further around its
-/// vertex it is. The half-edge follows when the floor is replaced, because only then the rule is known.
-#[inline]
-pub(super) fn run_location(code: u32, offset: u32) -> u32 {
-    code * MAX_RUN + offset
 }
 
 /// Returns the half-edge of a location.

@@ -6,7 +6,7 @@
 //! The corners of a triangle begin with the youngest, so this identifies its vertices too.
 
 use super::Patterns;
-use super::exchange::run_location;
+use super::overlaps::run_location;
 use super::records::Up;
 use super::rule::NONE;
 use crate::model::step_bits::StepBits;

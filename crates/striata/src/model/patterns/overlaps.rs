@@ -17,6 +17,13 @@ use std::ops::Range;
 /// Length of the longest run; longer ones are split.
 pub(super) const MAX_RUN: u32 = 16;
 
+/// Location of a triangle in a floor: where its run begins, and how many triangles further around its
+/// vertex it is. The half-edge follows when the floor is replaced, because only then the rule is known.
+#[inline]
+pub(super) fn run_location(code: u32, offset: u32) -> u32 {
+    code * MAX_RUN + offset
+}
+
 /// Destination of a ceiling triangle: a link of its step, and the offset along the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(in crate::model) struct Share {

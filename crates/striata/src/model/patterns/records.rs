@@ -75,7 +75,7 @@ pub(in crate::model) struct Records {
     bits: Bits,
 }
 
-/// Where the parts of a block are.
+/// Offsets, counts and widths of the parts of a block.
 #[derive(Clone, Copy, Debug)]
 struct Block {
     first: u32,
@@ -106,7 +106,7 @@ pub(in crate::model) struct Layout {
     pub(super) has_wide_counts: bool,
 }
 
-/// Where the links of a step are, and how many there are.
+/// Kind of a step, and the place, number and widths of its links.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Head {
     pub(super) kind: u32,
@@ -288,7 +288,7 @@ impl Records {
         Ok(())
     }
 
-    /// Returns where the parts of a step's block are; `Err` with the start of a wide block.
+    /// Returns the offsets of the parts of a step's block; `Err` with the start of a wide block.
     #[inline]
     fn block(&self, step: u32) -> Result<Block, usize> {
         let stride = self.layout.stride();
@@ -316,7 +316,7 @@ impl Records {
         })
     }
 
-    /// Returns the kind of a step and where its links are.
+    /// Returns the kind of a step and the place of its links.
     #[inline]
     pub(super) fn head(&self, step: u32) -> Head {
         match self.block(step) {

@@ -6,7 +6,8 @@
 
 use super::Patterns;
 use super::dependencies::Dependencies;
-use super::exchange::{rotated, run_location, vertices_of};
+use super::exchange::{rotated, vertices_of};
+use super::overlaps::run_location;
 use super::overlaps::{MAX_RUN, Share};
 use super::records::Head;
 use super::rule::NONE;
@@ -26,7 +27,7 @@ struct Waiting {
     location: u32,
 }
 
-/// What is asked of a step.
+/// Purpose of a visit to a step: to check it, or to collect its faces too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Task {
     Check,

@@ -42,7 +42,7 @@ pub struct CellMesh {
     pub waits: Vec<(u32, History)>,
 }
 
-/// What a cell task reads.
+/// Triangles that a cell task reads.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cell {
     /// Triangles whose corners all belong to the cell.

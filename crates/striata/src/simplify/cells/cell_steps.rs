@@ -1,4 +1,4 @@
-//! What a cell task is told and what it returns.
+//! Options and result of a cell task.
 
 use super::CellMesh;
 use crate::mesh::AttributeLayer;

@@ -19,7 +19,7 @@ pub struct HierarchyCell {
 pub struct CellHierarchy {
     /// Cells with at least one step, by level and number.
     pub cells: Vec<HierarchyCell>,
-    /// What is left.
+    /// Base mesh, which is left after all levels.
     pub base: CellMesh,
 }
 

@@ -9,7 +9,7 @@ use crate::mesh::{AttributeLayer, gather_layers};
 /// Triangles that have been sent to the cells of a level.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Routed {
-    /// What each cell receives, by number of the cell.
+    /// Triangles that each cell receives, by number of the cell.
     pub cells: BTreeMap<u32, Cell>,
     /// Border triangles: no cell of this level may change them, so they go on to the next level.
     pub onward: CellMesh,

@@ -17,7 +17,7 @@ pub(super) struct Trace<'a> {
     histories: Vec<History>,
     /// Largest error of each triangle's part of the cell's input, mesh units.
     input_errors: Vec<f32>,
-    /// The same of each position, from what it waits for.
+    /// Largest error of each position's part of the input, mesh units, from the steps that it waits for.
     input_waits: Vec<f32>,
     /// Steps that each position waits for although they left no triangle at it.
     pub(super) waits: Vec<History>,

@@ -90,7 +90,7 @@ pub(in crate::simplify) struct AttributeSpace {
     materials: Vec<u32>,
     /// Squared difference between any two materials.
     material_squared: f32,
-    /// What textures show, if some are known.
+    /// Base colors that textures show, if some are known.
     base_colors: Option<BaseColors>,
 }
 

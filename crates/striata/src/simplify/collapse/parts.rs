@@ -173,7 +173,7 @@ impl Parts {
         (area / triangle_count.max(1) as f32, reach)
     }
 
-    /// Returns what is lost if a part vanishes, if the vanishing has been estimated.
+    /// Returns the cover that is lost if a part vanishes, if the vanishing has been estimated.
     pub(in crate::simplify) fn lost_cover(&self, part: u32) -> Option<LostCover> {
         let Part { cover, radius, estimate, .. } = &self.parts[part as usize];
         let VanishingEstimate { host, distance, .. } = estimate.as_ref()?;

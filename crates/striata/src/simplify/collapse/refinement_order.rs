@@ -2,7 +2,7 @@
 
 use crate::mesh::{CollapseSequence, PositionIndex, RefinableMesh, SequenceError, SequenceParts, Welded};
 
-/// What a step of a cell is ordered by, and what it adds to the error.
+/// Cost that orders a step of a cell, and the distance that the step adds to the error.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::simplify) struct StepCost {
     /// Cost at which the step left the queue, scaled units.

@@ -35,7 +35,7 @@ impl<const N: usize> CornerForm<N> {
         self.products[corner]
     }
 
-    /// What remains for a corner, given the changes at all corners: weighted, without that corner's own change.
+    /// Returns the weighted wish that remains for a corner after the changes at the other two; its own does not count.
     pub(super) fn rest(&self, corner: usize, changes: [[f64; N]; 3]) -> [f64; N] {
         let (next, last) = ((corner + 1) % 3, (corner + 2) % 3);
         let (to_next, to_last) = (self.products[3 + corner], self.products[3 + last]);

@@ -61,7 +61,7 @@ impl Pairs {
     }
 }
 
-/// What pairs say about the distance of each triangle of a level.
+/// Distances of each triangle of a level from the original, measured by its pairs.
 pub(super) struct Distances {
     /// Sum of squares, weighted by area.
     squares: Vec<f64>,

@@ -21,7 +21,7 @@ const LEAST_AREA: f64 = 0.2;
 /// Number of times that a move is halved before it is given up.
 const HALVINGS: usize = 5;
 
-/// What must not move.
+/// Constraints on moves: locked positions, rules for boundaries and group borders, and height fields.
 pub(super) struct Constraints {
     locked: HashSet<[u32; 3]>,
     boundary: BoundaryRule,

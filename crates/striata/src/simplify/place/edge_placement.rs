@@ -1,4 +1,4 @@
-//! Where the new vertex of an edge may be placed, and the candidate positions.
+//! Rules for placing the new vertex of an edge, and the candidate positions.
 
 use glam::DVec3;
 

@@ -214,7 +214,7 @@ struct KeptTriangle {
     normal: DVec3,
 }
 
-/// What the normals of a moved triangle show.
+/// Verdict on a moved triangle, from its normals.
 enum Verdict {
     /// It would be flipped, or a sliver.
     Refused,

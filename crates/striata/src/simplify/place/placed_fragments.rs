@@ -103,7 +103,7 @@ struct PlacedBuilder<'a> {
     vertices: Vec<PlacedVertex>,
     /// The current vertex of each wedge; [`NONE`] if it was removed and not created again.
     vertex_of: Vec<u32>,
-    /// What a vertex that is created for a wedge now would be.
+    /// Position and attributes that a vertex would have if it were created for a wedge now.
     current: Vec<PlacedVertex>,
     touched: Vec<u32>,
     is_touched: Vec<bool>,

@@ -4,7 +4,7 @@ use crate::mesh::FragmentedMesh;
 use crate::setters::setters;
 use crate::simplify::options::{SequenceOptions, StopReason};
 
-/// What a step collapses to one new vertex.
+/// Part of a mesh that a step collapses to one new vertex.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum PlacedCollapse {
@@ -20,7 +20,7 @@ pub enum PlacedCollapse {
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct PlacedOptions {
-    /// What a step collapses; default [`PlacedCollapse::Edge`].
+    /// Part that a step collapses; default [`PlacedCollapse::Edge`].
     pub collapse: PlacedCollapse,
     /// Rules and limits. The cost is always memoryless, and `pair_distance` must be `None`. The error limit
     /// is one on certified errors: coarser levels are left out.

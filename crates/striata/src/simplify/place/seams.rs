@@ -14,7 +14,7 @@ use crate::simplify::options::SeamRule;
 pub(super) struct Merge {
     pub(super) removed: u32,
     pub(super) kept: u32,
-    /// Where the new position lies along the edge, from 0 at `kept` to 1 at `removed`.
+    /// Place of the new position along the edge, from 0 at `kept` to 1 at `removed`.
     pub(super) share: f64,
 }
 

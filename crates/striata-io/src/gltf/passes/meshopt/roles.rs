@@ -1,4 +1,4 @@
-//! What each accessor is used for, as far as that matters for compression.
+//! Uses of accessors, as far as they matter for compression.
 
 use std::collections::BTreeMap;
 
@@ -26,7 +26,7 @@ pub(super) enum Use {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Role {
     pub usage: Use,
-    /// What accessors in the same view have in common.
+    /// Name of the use, such as `NORMAL` or `time`; accessors in the same view have the same name.
     pub name: String,
     /// Whether only triangles use it, so that its order is free.
     pub is_free: bool,
@@ -58,7 +58,7 @@ pub(super) fn roles(root: &Value, primitives: &[Primitive]) -> BTreeMap<u64, Opt
     collector.checked(root)
 }
 
-/// Returns what the first channel of each sampler of an animation changes.
+/// Returns the property that the first channel of each sampler of an animation changes.
 fn animated_paths(animation: &Value) -> BTreeMap<usize, &str> {
     let mut paths = BTreeMap::new();
     for channel in entries(animation, "channels") {

@@ -43,7 +43,7 @@ pub(in crate::gltf) enum Texcoords {
     Floats,
 }
 
-/// What a pass has changed so far.
+/// Changes that a pass has made so far.
 struct Changes<'a> {
     /// The document to change; `snapshot` is what it was before.
     root: &'a mut Value,

@@ -60,7 +60,7 @@ pub(super) fn share(
     }
 }
 
-/// Returns where the scene shows each set of meshes that one node shows, or several with the same transform.
+/// Returns the spot of each set of meshes that one node shows, or several with the same transform.
 fn spots(document: &Document<'_>, of_mesh: &[usize]) -> BTreeMap<usize, Spot> {
     let mut found: BTreeMap<usize, Option<Spot>> = BTreeMap::new();
     for placed in placed_nodes(&document.root).unwrap_or_default() {

@@ -1,4 +1,4 @@
-//! What a document shows: the positions of all vertices, as a viewer computes them.
+//! Positions of all vertices that a document shows, as a viewer computes them.
 
 use std::collections::BTreeMap;
 

@@ -18,7 +18,7 @@ use crate::{Cancelled, Progress, ProgressFn, ignore_progress};
 /// Number of steps or vertices between two calls of the progress callback.
 const STEPS_PER_REPORT: usize = 1 << 12;
 
-/// What a table of fans is built from: a mesh in refinement order and the steps that simplify it.
+/// Source of a table of fans: a mesh in refinement order and the steps that simplify it.
 #[derive(Clone, Copy, Debug)]
 pub enum FanSource<'m> {
     /// Steps that are collapses.

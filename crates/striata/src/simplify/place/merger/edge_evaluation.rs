@@ -65,7 +65,7 @@ impl Merger<'_> {
         )
     }
 
-    /// Returns where the edge from the gathered `v` to its neighbor `i` may place its new vertex.
+    /// Returns the rule for placing the new vertex of the edge from the gathered `v` to its neighbor `i`.
     fn placement(&self, v: u32, i: usize) -> EdgePlacement {
         let u = self.neighborhood.ids[i];
         if self.evaluator.is_hub(u) {
@@ -209,7 +209,7 @@ impl Merger<'_> {
         [x, y]
     }
 
-    /// Returns where `position` lies along the edge, from 0 at `kept` to 1 at `removed`.
+    /// Returns the place of `position` along the edge, from 0 at `kept` to 1 at `removed`.
     pub(super) fn edge_share(&self, removed: u32, kept: u32, position: DVec3) -> f64 {
         let from = self.positions[kept as usize];
         let along = self.positions[removed as usize] - from;

@@ -8,7 +8,7 @@ pub(in crate::simplify::place) struct LoggedMerge {
     /// Position that is removed, and the one that it is merged with.
     pub(in crate::simplify::place) removed: u32,
     pub(in crate::simplify::place) kept: u32,
-    /// Where the kept position moves, mesh units, and the first row with the attributes of its wedges;
+    /// New place of the kept position, mesh units, and the first row with the attributes of its wedges;
     /// `None` if it stays.
     pub(in crate::simplify::place) moved: Option<([f32; 3], u32)>,
     /// Other positions that lose their last triangle.
