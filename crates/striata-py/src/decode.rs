@@ -119,7 +119,9 @@ fn scene_stream(bytes: &[u8], allow_truncated: bool, progress: &mut ProgressFn<'
     }
     let scene = decoder.scene().map_err(bad_bytes)?;
     let meshes = decoder.refinable_meshes().into_iter();
-    let lods = meshes.map(|mesh| mesh.map(|m| Lod::from_refinable_with_progress(m, progress)).transpose());
-    let lods = lods.collect::<Result<_, _>>().map_err(DecodeFault::Cancelled)?;
+    let lods: Vec<Option<Lod>> = meshes.map(|mesh| mesh.map(Lod::from_refinable)).collect();
+    for lod in lods.iter().flatten() {
+        lod.prepare_with_progress(progress).map_err(DecodeFault::Cancelled)?;
+    }
     LodScene::from_lods(scene.without_meshes(), lods).map_err(bad_bytes)
 }

@@ -12,7 +12,6 @@
 //!
 //! Arrays are untrusted: every call succeeds or raises an exception that names the place.
 
-pub mod levels;
 pub mod one_level;
 pub mod sources;
 

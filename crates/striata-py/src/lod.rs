@@ -8,16 +8,15 @@ use pyo3::types::PyBytes;
 use striata::file::{DecodeError, StriataFile, WriteOptions};
 use striata::mesh::{RefinableMesh, weld};
 use striata::simplify::{build_welded_sequence_with_progress, certify_collapses_in_any_state_with_progress};
-use striata::{Cancelled, Lod, ProgressFn, Target};
+use striata::{Lod, Target};
 
 use crate::arrays::{signed, signed_rows};
 use crate::errors::{Outcome, cancelled, decode_error, simplify_error, value_error};
 use crate::job;
-use crate::levels::Levels;
 use crate::mesh::{MeshData, file_points, is_internal, move_origin, without_internal_layers};
 use crate::one_level::check_locked;
 use crate::options::{SimplifyArguments, reason, target};
-use crate::sources::{Sources, level_triangles};
+use crate::sources::{Sources, level_triangles, representatives};
 use crate::strip_level::StripLevelData;
 use crate::view::ViewData;
 
@@ -25,7 +24,7 @@ use crate::view::ViewData;
 #[pyclass(frozen, module = "striata._striata")]
 #[derive(Clone, Debug)]
 pub(crate) struct LodData {
-    levels: Levels,
+    lod: Lod,
     /// `None` if the levels were read from a file.
     sources: Option<Arc<Sources>>,
     /// The file with the strips of the levels, which are read when they are needed.
@@ -34,13 +33,13 @@ pub(crate) struct LodData {
 
 impl From<Lod> for LodData {
     fn from(lod: Lod) -> Self {
-        Self { levels: lod.into(), sources: None, file_with_strips: None }
+        Self { lod, sources: None, file_with_strips: None }
     }
 }
 
 impl From<RefinableMesh> for LodData {
     fn from(refinable: RefinableMesh) -> Self {
-        Self { levels: Levels::new(refinable, false), sources: None, file_with_strips: None }
+        Self::from(Lod::from_refinable(refinable))
     }
 }
 
@@ -62,14 +61,13 @@ pub(crate) fn build(
             build_welded_sequence_with_progress(welded, &options, progress).map_err(simplify_error)?;
         let sequence = &built.refinable.sequence;
         let sources = Sources::new(&mesh, &position_of_source, sequence, built.source_vertex);
-        let refinable = if guaranteed {
+        let lod = if guaranteed {
             let certified = certify_collapses_in_any_state_with_progress(&built.refinable, progress);
-            certified.map_err(|error| simplify_error(error.into()))?
+            Lod::from_certified(certified.map_err(|error| simplify_error(error.into()))?)
         } else {
-            built.refinable
+            Lod::from_refinable(built.refinable)
         };
-        let (levels, sources) = (Levels::new(refinable, guaranteed), Some(Arc::new(sources)));
-        Ok(LodData { levels, sources, file_with_strips: None })
+        Ok(LodData { lod, sources: Some(Arc::new(sources)), file_with_strips: None })
     })
 }
 
@@ -77,12 +75,12 @@ pub(crate) fn build(
 impl LodData {
     #[getter]
     fn step_count(&self) -> usize {
-        self.levels.sequence().step_count()
+        self.lod.sequence().step_count()
     }
 
     #[getter]
     fn has_guaranteed_errors(&self) -> bool {
-        self.levels.has_guaranteed_errors()
+        self.lod.has_guaranteed_errors()
     }
 
     /// Input vertex of each vertex, or `None` for levels read from a file.
@@ -96,28 +94,28 @@ impl LodData {
     }
 
     fn points<'py>(&self, py: Python<'py>) -> Bound<'py, PyAny> {
-        file_points(py, self.levels.mesh())
+        file_points(py, self.lod.mesh())
     }
 
     /// Origin of the points that single precision is relative to.
     #[getter]
     fn origin(&self) -> [f64; 3] {
-        self.levels.mesh().origin
+        self.lod.mesh().origin
     }
 
     fn mesh(&self) -> MeshData {
-        MeshData::from(without_internal_layers(self.levels.mesh()))
+        MeshData::from(without_internal_layers(self.lod.mesh()))
     }
 
     /// Split count of the level that a target selects, and how well it is met.
     fn resolve(&self, target: (String, f64)) -> Outcome<(usize, &'static str)> {
-        let (split_count, stop_reason) = self::target((&target.0, target.1))?.resolve(self.levels.sequence());
+        let (split_count, stop_reason) = self::target((&target.0, target.1))?.resolve(self.lod.sequence());
         Ok((split_count, reason(stop_reason)))
     }
 
     /// Number of triangles and of vertices, and the error of a level.
     fn level_facts(&self, split_count: usize) -> (usize, usize, f32) {
-        let sequence = self.levels.sequence();
+        let sequence = self.lod.sequence();
         let split_count = split_count.min(sequence.step_count());
         let counts = (sequence.triangle_count_at(split_count), sequence.vertex_count_at(split_count));
         (counts.0, counts.1, sequence.error_at(split_count))
@@ -132,7 +130,7 @@ impl LodData {
     ) -> (Bound<'py, PyArray2<i32>>, Bound<'py, PyArray1<i32>>) {
         let (triangles, origins) = py.detach(|| {
             let (triangles, mut origins) =
-                level_triangles(self.levels.mesh(), &self.levels.representatives(split_count));
+                level_triangles(self.lod.mesh(), &self.representatives(split_count));
             if let Some(sources) = &self.sources {
                 origins.iter_mut().for_each(|t| *t = sources.input_of_triangle[*t as usize]);
             }
@@ -143,29 +141,30 @@ impl LodData {
 
     /// Level as strips with the restart index -1.
     fn level_strips<'py>(&self, py: Python<'py>, split_count: usize) -> Outcome<Bound<'py, PyArray1<i32>>> {
-        let levels = self.levels.clone();
+        let lod = self.lod.clone();
         let indices = job::run(py, self.size(), None, move |progress| {
-            levels.level_strips(split_count, progress).map_err(cancelled)
+            lod.prepare_with_progress(progress).map_err(cancelled)?;
+            Ok(lod.level(Target::SplitCount(split_count)).strips().indices)
         })?;
         Ok(signed(py, indices))
     }
 
     /// Level as a mesh of its own, with all layers, groups and materials.
     fn level_mesh(&self, py: Python<'_>, split_count: usize) -> MeshData {
-        let level = py.detach(|| self.levels.level_mesh(split_count));
+        let level = py.detach(|| self.lod.level_mesh(Target::SplitCount(split_count)));
         MeshData::from(without_internal_layers(&level))
     }
 
     /// For each vertex, the vertex that represents it at a level.
     fn representative<'py>(&self, py: Python<'py>, split_count: usize) -> Bound<'py, PyArray1<i32>> {
-        signed(py, py.detach(|| self.levels.representatives(split_count)))
+        signed(py, py.detach(|| self.representatives(split_count)))
     }
 
     /// Collapses in the order in which they coarsen the mesh: removed vertex, target, step, error after the
     /// step, and number of triangles after it.
     fn sequence<'py>(&self, py: Python<'py>) -> CollapseArrays<'py> {
         let [removed, targets, steps] = py.detach(|| self.collapses());
-        let sequence = self.levels.sequence();
+        let sequence = self.lod.sequence();
         let at = |step: &u32| sequence.step_count() - 1 - *step as usize;
         let errors: Vec<f32> = steps.iter().map(|step| sequence.error_at(at(step))).collect();
         let faces: Vec<i32> = steps.iter().map(|step| sequence.triangle_count_at(at(step)) as i32).collect();
@@ -179,16 +178,17 @@ impl LodData {
     }
 
     fn view(&self, py: Python<'_>) -> Outcome<ViewData> {
-        let levels = self.levels.clone();
+        let lod = self.lod.clone();
         job::run(py, self.size(), None, move |progress| {
-            Ok(ViewData::new(levels.lod(progress).map_err(cancelled)?))
+            lod.prepare_with_progress(progress).map_err(cancelled)?;
+            Ok(ViewData::new(&lod))
         })
     }
 
     fn strip_level(&self, py: Python<'_>) -> Outcome<StripLevelData> {
         let data = self.clone();
         job::run(py, self.size(), None, move |progress| {
-            let lod = data.levels.lod(progress).map_err(cancelled)?;
+            let lod = &data.lod;
             if let Some(bytes) = &data.file_with_strips {
                 let file = striata_stream::open(bytes).map_err(decode_error)?;
                 if let Some(strips) = file.lod_strips() {
@@ -202,10 +202,10 @@ impl LodData {
 
     /// Bytes of a `.striata` file, with all points moved by an offset.
     fn to_striata<'py>(&self, py: Python<'py>, offset: [f64; 3]) -> Outcome<Bound<'py, PyBytes>> {
-        let levels = self.levels.clone();
+        let lod = self.lod.clone();
         let bytes = job::run(py, self.size(), None, move |progress| {
-            let lod = levels.lod(progress).map_err(cancelled)?.clone();
-            let lod = stored(lod, offset, progress).map_err(cancelled)?;
+            let lod = stored(lod, offset);
+            lod.prepare_with_progress(progress).map_err(cancelled)?;
             lod.to_striata(&WriteOptions::default()).map_err(value_error)
         })?;
         Ok(PyBytes::new(py, &bytes))
@@ -232,14 +232,21 @@ impl LodData {
         Ok(Self { file_with_strips, ..Self::from(lod) })
     }
 
+    /// For each vertex of the full mesh, the vertex that represents it at a level. Split counts above the full mesh mean
+    /// the full mesh.
+    fn representatives(&self, split_count: usize) -> Vec<u32> {
+        let sequence = self.lod.sequence();
+        representatives(sequence, split_count.min(sequence.step_count()))
+    }
+
     /// Number of triangles of the full mesh.
     fn size(&self) -> usize {
-        self.levels.mesh().triangle_count()
+        self.lod.mesh().triangle_count()
     }
 
     /// Removed vertices, their targets and the number of each step, in the order of coarsening.
     fn collapses(&self) -> [Vec<u32>; 3] {
-        let sequence = self.levels.sequence();
+        let sequence = self.lod.sequence();
         let count = sequence.targets().len();
         let [mut removed, mut targets, mut steps] = [(); 3].map(|()| Vec::with_capacity(count));
         for step in (0..sequence.step_count()).rev() {
@@ -254,15 +261,15 @@ impl LodData {
 }
 
 /// Levels as a file stores them: points moved by an offset, without layers that exist only for simplification.
-fn stored(lod: Lod, offset: [f64; 3], progress: &mut ProgressFn<'_>) -> Result<Lod, Cancelled> {
+fn stored(lod: Lod, offset: [f64; 3]) -> Lod {
     if offset == [0.0; 3] && !lod.mesh().layers.iter().any(is_internal) {
-        return Ok(lod);
+        return lod;
     }
     let mut mesh = without_internal_layers(lod.mesh());
     move_origin(&mut mesh, offset);
     let refinable = RefinableMesh { mesh, sequence: lod.sequence().clone() };
     match lod.has_guaranteed_errors() {
-        true => Lod::from_certified_with_progress(refinable, progress),
-        false => Lod::from_refinable_with_progress(refinable, progress),
+        true => Lod::from_certified(refinable),
+        false => Lod::from_refinable(refinable),
     }
 }

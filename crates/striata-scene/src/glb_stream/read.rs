@@ -87,5 +87,7 @@ fn decoded(
     let mut refinable = decoder.refinable_mesh().ok_or(GlbStreamReadError::Truncated { mesh })?;
     refinable.mesh.check().map_err(|error| in_stream(error.into()))?;
     normalize_weights(&mut refinable.mesh);
-    Ok(Lod::from_refinable_with_progress(refinable, progress)?)
+    let lod = Lod::from_refinable(refinable);
+    lod.prepare_with_progress(progress)?;
+    Ok(lod)
 }

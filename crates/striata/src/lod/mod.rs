@@ -91,18 +91,6 @@ impl Lod {
         Self { tables: Arc::new(Tables::new(refinable, false)) }
     }
 
-    /// Wraps a mesh like [`from_refinable`](Self::from_refinable), but builds its fans now. Reports progress; the
-    /// callback can cancel.
-    ///
-    /// # Errors
-    /// [`Cancelled`] if the callback cancels.
-    pub fn from_refinable_with_progress(
-        refinable: RefinableMesh,
-        progress: &mut ProgressFn<'_>,
-    ) -> Result<Self, Cancelled> {
-        Ok(Self { tables: Arc::new(Tables::new_with_progress(refinable, false, progress)?) })
-    }
-
     /// Returns the levels with at least `split_count` vertex splits; the first of them becomes the base mesh.
     /// Counts above the full mesh leave only the full mesh.
     #[must_use]
@@ -118,16 +106,12 @@ impl Lod {
         Self { tables: Arc::new(Tables::new(refinable, true)) }
     }
 
-    /// Wraps a mesh like [`from_certified`](Self::from_certified), but builds its fans now. Reports progress; the
-    /// callback can cancel.
+    /// Builds the fans now, which the first level or view would do otherwise. Reports progress; the callback can cancel.
     ///
     /// # Errors
     /// [`Cancelled`] if the callback cancels.
-    pub fn from_certified_with_progress(
-        refinable: RefinableMesh,
-        progress: &mut ProgressFn<'_>,
-    ) -> Result<Self, Cancelled> {
-        Ok(Self { tables: Arc::new(Tables::new_with_progress(refinable, true, progress)?) })
+    pub fn prepare_with_progress(&self, progress: &mut ProgressFn<'_>) -> Result<(), Cancelled> {
+        self.tables.prepare_fans(progress)
     }
 
     /// Reads the levels from a `.striata` file.

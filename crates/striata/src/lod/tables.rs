@@ -1,6 +1,6 @@
 //! Data shared by all levels and views of one mesh.
 
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 use crate::file::{DecodeError, EncodeError, FileModel, StriataFile, WriteOptions, to_striata};
 use crate::mesh::{FragmentedMesh, RefinableMesh};
@@ -18,6 +18,8 @@ pub(super) struct Tables {
     refinable: RefinableMesh,
     /// With the bounding sphere of all positions.
     fans: OnceLock<(Fans, Sphere)>,
+    /// Held by the call that builds the fans and can be cancelled, so that others wait for it.
+    preparing: Mutex<()>,
     strips: OnceLock<LodStrips<'static>>,
     mts: OnceLock<Mts<'static>>,
     patterns: OnceLock<Patterns>,
@@ -29,20 +31,12 @@ impl Tables {
         Self {
             refinable,
             fans: OnceLock::new(),
+            preparing: Mutex::new(()),
             strips: OnceLock::new(),
             mts: OnceLock::new(),
             patterns: OnceLock::new(),
             has_guaranteed_errors,
         }
-    }
-
-    pub(super) fn new_with_progress(
-        refinable: RefinableMesh,
-        has_guaranteed_errors: bool,
-        progress: &mut ProgressFn<'_>,
-    ) -> Result<Self, Cancelled> {
-        let fans = Fans::build_with(&refinable, &FanOptions::default(), progress)?;
-        Ok(Self::new(refinable, has_guaranteed_errors).with_fans(fans))
     }
 
     pub(super) fn from_file(file: &StriataFile<'_>) -> Result<Self, DecodeError> {
@@ -87,6 +81,19 @@ impl Tables {
 
     fn fans_and_sphere(&self) -> &(Fans, Sphere) {
         self.fans.get_or_init(|| self.with_sphere(Fans::build(&self.refinable)))
+    }
+
+    /// Builds the fans, unless they are there.
+    ///
+    /// # Errors
+    /// [`Cancelled`] if the callback cancels; the next call builds them.
+    pub(super) fn prepare_fans(&self, progress: &mut ProgressFn<'_>) -> Result<(), Cancelled> {
+        let _guard = self.preparing.lock().unwrap_or_else(PoisonError::into_inner);
+        if self.fans.get().is_none() {
+            let fans = Fans::build_with(&self.refinable, &FanOptions::default(), progress)?;
+            let _ = self.fans.set(self.with_sphere(fans));
+        }
+        Ok(())
     }
 
     pub(super) fn fans(&self) -> &Fans {

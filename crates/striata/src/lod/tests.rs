@@ -1,6 +1,7 @@
 use std::ops::ControlFlow;
 
 use super::*;
+use crate::Progress;
 use crate::file::WriteOptions;
 use crate::mesh::{canonical_triangles, replay, shapes};
 use crate::model::LodModel as _;
@@ -173,19 +174,24 @@ fn the_fans_report_progress_and_can_be_cancelled() {
     let refinable = Lod::build(&shapes::terrain(100, 1), &LodOptions::default()).unwrap();
     let refinable = RefinableMesh { mesh: refinable.mesh().clone(), sequence: refinable.sequence().clone() };
     let mut phases = Vec::new();
-    let lod = Lod::from_certified_with_progress(refinable.clone(), &mut |now| {
+    let lod = Lod::from_certified(refinable.clone());
+    let mut report = |now: Progress| {
         assert!(now.done <= now.total, "{now:?}");
         phases.push(now.phase);
         ControlFlow::Continue(())
-    });
-    assert!(lod.unwrap().has_guaranteed_errors());
+    };
+    lod.prepare_with_progress(&mut report).unwrap();
+    assert!(lod.has_guaranteed_errors());
+    lod.clone().prepare_with_progress(&mut |_| panic!("clones share their models")).unwrap();
     assert!(phases.is_sorted_by_key(|&phase| phase != "fans"), "{phases:?}");
     for last in 1..=phases.len() {
         let mut calls = 0;
-        let stopped = Lod::from_refinable_with_progress(refinable.clone(), &mut |_| {
+        let lod = Lod::from_refinable(refinable.clone());
+        let stopped = lod.prepare_with_progress(&mut |_| {
             calls += 1;
             if calls < last { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
         });
-        assert_eq!((stopped.map(drop), calls), (Err(Cancelled), last));
+        assert_eq!((stopped, calls), (Err(Cancelled), last));
+        assert!(lod.level(Target::Triangles(100)).triangle_count() <= 100, "the next call builds them");
     }
 }
