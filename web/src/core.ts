@@ -7,7 +7,7 @@
 export { StriataError, asStriataError } from './error.ts';
 export { SceneEngine } from './scene/scene-engine.ts';
 export type { MeshArrays, MeshShare, MeshUpdate, NewLayer, SceneDocument, SceneOrder, SceneReport, SceneState, SceneTarget } from './scene/protocol.ts';
-export type { LevelRequest, NewVertices, Order, Report, State, Update, Wish } from './protocol.ts';
+export type { LevelRequest, NewVertices, Order, Report, State, Update } from './protocol.ts';
 export type { Coloring, ErrorCode, Kind, Phase } from './types.ts';
 export { Failure, Model, SceneModel, StreamPlace, VertexLayer, Vertices, View } from './wasm/striata.js';
 import { Engine as MeshEngine } from './engine.ts';

@@ -9,7 +9,7 @@ import { Failure, Model, StreamPlace, View } from './wasm/striata.js';
 import { buildModel, startBuilder } from './build.ts';
 import { isContainer, isStream } from './magic.ts';
 import { asPlain, asStriataError, StriataError, type PlainError } from './error.ts';
-import { requestOf, type LevelRequest, type NewVertices, type Order, type Report, type State, type Update } from './protocol.ts';
+import type { LevelRequest, NewVertices, Order, Report, State, Update } from './protocol.ts';
 import type { MeshArrays } from './scene/protocol.ts';
 import type { Coloring, Kind, Phase } from './types.ts';
 import { decompressed } from './unpack.ts';
@@ -117,7 +117,7 @@ export class Engine {
         void this.#read(() => this.#build(order.arrays, order.builder));
         break;
       case 'show':
-        this.#request = requestOf(order);
+        this.#request = order.request;
         this.#coloring = order.coloring;
         if (this.#model.is_ready) this.#reportErrors(() => this.#postUpdate(order.ticket));
         break;

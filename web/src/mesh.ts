@@ -147,15 +147,6 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
     this.#send();
   }
 
-  /** @deprecated Use `coloring`. */
-  get colouring(): Coloring {
-    return this.coloring;
-  }
-
-  set colouring(coloring: Coloring) {
-    this.coloring = coloring;
-  }
-
   get wireframe(): boolean {
     return this.#isWireframe;
   }

@@ -15,9 +15,6 @@ export interface LevelRequest {
   camera?: number[];
 }
 
-/** @deprecated Use `LevelRequest`. */
-export type Wish = LevelRequest;
-
 /** Messages from the page to the engine. */
 export type Order =
   | { type: 'bytes'; bytes: Uint8Array }
@@ -27,14 +24,8 @@ export type Order =
   | { type: 'file'; bytes: Uint8Array; name: string }
   /** A mesh whose levels are built by the second wasm module. */
   | { type: 'arrays'; arrays: MeshArrays; builder?: WebAssembly.Module }
-  /** A request to show a level. `wish` is the deprecated name of `request`. */
-  | { type: 'show'; request: LevelRequest; coloring: Coloring; ticket: number }
-  | { type: 'show'; wish: LevelRequest; coloring: Coloring; ticket: number };
-
-/** The level that an order requests. */
-export function requestOf(order: Extract<Order, { type: 'show' }>): LevelRequest {
-  return 'request' in order ? order.request : order.wish;
-}
+  /** A request to show a level. */
+  | { type: 'show'; request: LevelRequest; coloring: Coloring; ticket: number };
 
 /** New vertices, starting at index `first`. */
 export interface NewVertices {
