@@ -3,9 +3,8 @@
 //! [`baseline`] contains level-of-detail models as described in their papers, [`stripifiers`] contains stripifiers,
 //! and [`mts_graph`] is the graph of \[BRR02\], which [`Mts`](striata::model::Mts) improves on. Models implement the
 //! traits of [`striata::model`] and show the same triangles over the same vertex buffer as the library's models, so
-//! that only the data structures are compared. [`lifetime_lod_strips`] is a form of our own that was tried and
-//! not taken over. [`PaperBytes`] counts the memory of all of them, including
-//! the library's, as the papers do.
+//! that only the data structures are compared. [`PaperBytes`] counts the memory of all of them, including the
+//! library's, as the papers do.
 //!
 //! ```
 //! use striata::mesh::shapes;
@@ -25,14 +24,12 @@
 
 pub mod baseline;
 mod cpu_clock;
-pub mod lifetime_lod_strips;
 pub mod mts_graph;
 mod paper_bytes;
 mod spread;
 pub mod stripifiers;
 
 pub use cpu_clock::cpu_secs;
-pub use lifetime_lod_strips::{LifetimeLodStrips, LifetimeLodStripsState};
 pub use mts_graph::{MtsArc, MtsGraph, MtsGraphState, MtsNode};
 pub use paper_bytes::{Accounting, PaperBytes};
 pub use spread::Spread;

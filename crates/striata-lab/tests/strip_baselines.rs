@@ -1,4 +1,4 @@
-//! The strip baselines against the oracle: both published LodStrips, skip strips, and the trial with lifetimes.
+//! The strip baselines against the oracle: both published LodStrips, and skip strips.
 
 use striata_testing::support;
 
@@ -7,7 +7,7 @@ use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay};
 use striata::model::{LodModel, LodStrips, ModelError, Mts};
 use striata::strip::{RESTART, StripSet, restart_triangles_into};
 use striata_lab::baseline::{EfficientLodStrips, OriginalLodStrips, SkipStrips, Winding};
-use striata_lab::{Accounting, LifetimeLodStrips, PaperBytes};
+use striata_lab::{Accounting, PaperBytes};
 use striata_strip::{StripOptions, Stripifier, stripify};
 use support::{
     Random, RandomSequenceOptions, follows_the_oracle, grid, nasty_cases, random_refinable, seam_cases,
@@ -30,7 +30,6 @@ fn models_follow(refinable: &RefinableMesh, strips: &StripSet, stride: usize) {
     follows_the_oracle(refinable, &published, stride);
     let literal = EfficientLodStrips::build(refinable, strips, Winding::Lost).unwrap();
     shows_the_triangles_of_the_oracle(refinable, &literal, stride);
-    follows_the_oracle(refinable, &LifetimeLodStrips::build(refinable, strips).unwrap(), stride);
 }
 
 /// To the letter of the paper, repetitions are removed without regard to winding: the triangles are those of
@@ -179,7 +178,6 @@ fn strips_of_another_mesh_are_rejected() {
     let assert_rejected = |strips: &StripSet, expected: ModelError| {
         assert_eq!(OriginalLodStrips::build(&refinable, strips).unwrap_err(), expected);
         assert_eq!(SkipStrips::build(&refinable, strips).unwrap_err(), expected);
-        assert_eq!(LifetimeLodStrips::build(&refinable, strips).unwrap_err(), expected);
         let published = EfficientLodStrips::build(&refinable, strips, Winding::Kept);
         assert_eq!(published.unwrap_err(), expected);
     };

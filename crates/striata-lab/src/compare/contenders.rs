@@ -13,7 +13,7 @@ use striata_lab::baseline::{
     DiscreteLevels, EfficientLodStrips, HoppeProgressiveMeshes, LoopPatterns, MultiTriangulation,
     OrderedMeshes, OriginalLodStrips, ProgressiveMeshes, SkipStrips, Winding,
 };
-use striata_lab::{Accounting, LifetimeLodStrips, MtsGraph, PaperBytes};
+use striata_lab::{Accounting, MtsGraph, PaperBytes};
 use striata_strip::{StripOptions, stripify};
 
 use striata_command::failure::Failure;
@@ -60,7 +60,7 @@ impl<E: Into<Failure>> From<E> for BuildFailure {
 }
 
 /// All models; chart colors follow this order.
-const ENTRIES: [Entry; 17] = [
+const ENTRIES: [Entry; 16] = [
     Entry::new("lodstrips", |inputs| built(|| LodStrips::build(inputs.refinable, inputs.strips))),
     Entry::new("lodstrips-staged", |inputs| built(|| staged(inputs))),
     Entry::new("mts", |inputs| built(|| Mts::build(inputs.refinable, inputs.strips))),
@@ -71,9 +71,6 @@ const ENTRIES: [Entry; 17] = [
     }),
     Entry::new("lodstrips-published", |inputs| {
         built(|| EfficientLodStrips::build(inputs.refinable, inputs.strips, Winding::Kept))
-    }),
-    Entry::new("lodstrips-lifetimes", |inputs| {
-        built(|| LifetimeLodStrips::build(inputs.refinable, inputs.strips))
     }),
     Entry::new("mts-graph", |inputs| built(|| MtsGraph::build(inputs.refinable, inputs.strips))),
     Entry::new("skip-strips", |inputs| built(|| SkipStrips::build(inputs.refinable, inputs.strips))),

@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use crate::workbench::{Workbench, assert_keys};
 
-const MODELS: [&str; 17] = [
+const MODELS: [&str; 16] = [
     "lodstrips",
     "lodstrips-staged",
     "mts",
@@ -12,7 +12,6 @@ const MODELS: [&str; 17] = [
     "patterns",
     "lodstrips-original",
     "lodstrips-published",
-    "lodstrips-lifetimes",
     "mts-graph",
     "skip-strips",
     "progressive-meshes",
