@@ -19,11 +19,11 @@ use striata_io::Format;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct StripLists {
     /// The lists; an empty one stands for a triangle list.
-    pub(crate) lists: Vec<Vec<u32>>,
+    pub lists: Vec<Vec<u32>>,
     /// Number of indices needed to draw all groups.
-    pub(crate) index_count: usize,
+    pub index_count: usize,
     /// Number of groups that are written as triangle lists.
-    pub(crate) plain_group_count: usize,
+    pub plain_group_count: usize,
 }
 
 impl StripLists {

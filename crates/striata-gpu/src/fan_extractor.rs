@@ -22,11 +22,11 @@ pub struct FanExtractor {
 
 /// Buffers of one instance that the passes read and write.
 pub(crate) struct Bindings<'a> {
-    pub(crate) bits: &'a Buffer,
-    pub(crate) arcs: &'a Buffer,
-    pub(crate) sums: &'a Buffer,
-    pub(crate) indices: &'a Buffer,
-    pub(crate) commands: &'a Buffer,
+    pub bits: &'a Buffer,
+    pub arcs: &'a Buffer,
+    pub sums: &'a Buffer,
+    pub indices: &'a Buffer,
+    pub commands: &'a Buffer,
 }
 
 /// Uniform parameters of an extraction, laid out as in `fans.wgsl`.

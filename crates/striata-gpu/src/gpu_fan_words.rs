@@ -35,12 +35,12 @@ const MAKERS: u32 = 9;
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct FanWords {
     /// Header of each fan.
-    pub(crate) fans: Vec<[u32; 4]>,
-    pub(crate) words: Vec<u32>,
+    pub fans: Vec<[u32; 4]>,
+    pub words: Vec<u32>,
     /// First fan and fan count of each block.
-    pub(crate) blocks: Vec<[u32; 2]>,
+    pub blocks: Vec<[u32; 2]>,
     /// First block of each group, followed by the block count.
-    pub(crate) group_blocks: Vec<u32>,
+    pub group_blocks: Vec<u32>,
 }
 
 impl FanWords {

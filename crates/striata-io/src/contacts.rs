@@ -11,9 +11,9 @@ use crate::Scene;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Spot {
     /// Bits of the transform without its move: the same for all meshes of a space.
-    pub(crate) space: [u64; 9],
+    pub space: [u64; 9],
     /// Move of the mesh before that, in its own units.
-    pub(crate) offset: DVec3,
+    pub offset: DVec3,
 }
 
 impl Spot {

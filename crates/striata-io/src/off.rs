@@ -322,7 +322,7 @@ impl Polygons {
 #[derive(Debug, Default)]
 pub(crate) struct PolygonColors {
     /// Number of triangles with four numbers.
-    pub(crate) count: usize,
+    pub count: usize,
     bare_count: usize,
     has_alpha: bool,
     has_fractions: bool,

@@ -9,9 +9,9 @@ use crate::{Page, PagedError};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Place {
     /// Place of the page in the list of loaded pages.
-    pub(crate) slot: u32,
+    pub slot: u32,
     /// Number of the vertex among those that the page owns.
-    pub(crate) vertex: u32,
+    pub vertex: u32,
 }
 
 /// Loaded pages, coarse to fine, each with its index in the directory; all parents are among them.

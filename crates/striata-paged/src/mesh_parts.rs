@@ -10,9 +10,9 @@ use crate::{Metadata, Page};
 #[derive(Debug, Default)]
 pub(crate) struct Triangles {
     /// Corners and group.
-    pub(crate) list: Vec<([u32; 3], u32)>,
+    pub list: Vec<([u32; 3], u32)>,
     /// Their data.
-    pub(crate) layers: Vec<AttributeLayer>,
+    pub layers: Vec<AttributeLayer>,
 }
 
 impl Triangles {

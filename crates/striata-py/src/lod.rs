@@ -188,23 +188,17 @@ impl LodData {
     fn strip_level(&self, py: Python<'_>) -> Outcome<StripLevelData> {
         let data = self.clone();
         job::run(py, self.size(), None, move |progress| {
-            let lod = &data.lod;
-            if let Some(bytes) = &data.file_with_strips {
-                let file = striata_stream::open(bytes).map_err(decode_error)?;
-                if let Some(strips) = file.lod_strips() {
-                    let strips = strips.map_err(decode_error)?.into_owned();
-                    lod.clone().with_strips(strips).map_err(decode_error)?;
-                }
-            }
-            Ok(lod.strip_level(Target::Detail(1.0)).into())
+            data.take_strips(&data.lod)?;
+            Ok(data.lod.strip_level(Target::Detail(1.0)).map_err(value_error)?.into())
         })
     }
 
     /// Bytes of a `.striata` file, with all points moved by an offset.
     fn to_striata<'py>(&self, py: Python<'py>, offset: [f64; 3]) -> Outcome<Bound<'py, PyBytes>> {
-        let lod = self.lod.clone();
+        let data = self.clone();
         let bytes = job::run(py, self.size(), None, move |progress| {
-            let lod = stored(lod, offset);
+            let lod = stored(data.lod.clone(), offset);
+            data.take_strips(&lod)?;
             lod.prepare_with_progress(progress).map_err(cancelled)?;
             lod.to_striata(&WriteOptions::default()).map_err(value_error)
         })?;
@@ -230,6 +224,17 @@ impl LodData {
         let lod = Lod::from_file(file)?;
         let file_with_strips = file.has_lod_strips().then(|| bytes.into());
         Ok(Self { file_with_strips, ..Self::from(lod) })
+    }
+
+    /// Gives the strips of the file, if it has any, to levels of the same mesh.
+    fn take_strips(&self, lod: &Lod) -> Outcome<()> {
+        let Some(bytes) = &self.file_with_strips else { return Ok(()) };
+        let file = striata_stream::open(bytes).map_err(decode_error)?;
+        if let Some(strips) = file.lod_strips() {
+            let strips = strips.map_err(decode_error)?.into_owned();
+            lod.clone().with_strips(strips).map_err(decode_error)?;
+        }
+        Ok(())
     }
 
     /// For each vertex of the full mesh, the vertex that represents it at a level. Split counts above the full mesh mean

@@ -14,7 +14,7 @@ use crate::errors::{Outcome, value_error};
 #[pyclass(frozen, module = "striata._striata")]
 #[derive(Clone, Debug)]
 pub(crate) struct MeshData {
-    pub(crate) mesh: Arc<IndexedMesh>,
+    pub mesh: Arc<IndexedMesh>,
 }
 
 /// Values of a layer, with a row for each vertex.

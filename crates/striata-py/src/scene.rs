@@ -23,14 +23,14 @@ use crate::stream::scene_bytes;
 #[pyclass(frozen, module = "striata._striata")]
 #[derive(Clone, Debug)]
 pub(crate) struct SceneData {
-    pub(crate) scene: Arc<Scene>,
+    pub scene: Arc<Scene>,
 }
 
 /// A scene with all levels of its meshes.
 #[pyclass(frozen, module = "striata._striata")]
 #[derive(Clone, Debug)]
 pub(crate) struct LodSceneData {
-    pub(crate) lods: LodScene,
+    pub lods: LodScene,
 }
 
 /// Node, mesh and transform (16 numbers in column order) of an instance.

@@ -128,6 +128,8 @@ def test_strips_follow_levels(lod, tmp_path):
     again = opened.strip_level(opened.level(triangles=100))
     strips.move_to(lod.level(triangles=100))
     assert np.array_equal(again.indices[slice(*again.groups[0])], strips.indices[slice(*strips.groups[0])])
+    striata.save(tmp_path / "b.striata", striata.open(tmp_path / "a.striata"))
+    assert (tmp_path / "b.striata").read_bytes() == (tmp_path / "a.striata").read_bytes()
     with pytest.raises(ValueError, match="another Lod"):
         strips.move_to(opened.level(triangles=100))
 

@@ -26,7 +26,7 @@ const NO_HINT: Hint = Hint { triangle: u32::MAX, shares: [0.0; 2] };
 #[derive(Debug, Default)]
 pub(crate) struct LevelWalk {
     /// Triangles of the level.
-    pub(crate) triangles: Vec<[u32; 3]>,
+    pub triangles: Vec<[u32; 3]>,
     hints: Vec<Hint>,
     rings: Rings,
 }

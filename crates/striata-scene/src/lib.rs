@@ -22,7 +22,6 @@ pub mod drawn;
 mod error;
 pub mod file;
 pub mod glb_stream;
-mod importance;
 mod level_walk;
 mod levels;
 pub mod lod_chain;

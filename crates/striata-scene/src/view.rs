@@ -9,7 +9,6 @@ use striata::view::ScreenError;
 use striata::{Lod, Target};
 use striata_io::{Scene, SceneInstance};
 
-use crate::importance::Importance;
 use crate::lod_scene::LodScene;
 use crate::place::{Place, sphere_around, split_count};
 
@@ -50,9 +49,8 @@ impl LodScene {
     }
 
     fn viewed_meshes(&self, error: &ScreenError) -> Vec<Option<IndexedMesh>> {
-        let importance = Importance::of_scene(self.scene());
         let viewed = self.lods().iter().enumerate();
-        viewed.map(|(mesh, lod)| Some(self.viewed(mesh, lod.as_ref()?, error, &importance))).collect()
+        viewed.map(|(mesh, lod)| Some(self.viewed(mesh, lod.as_ref()?, error))).collect()
     }
 
     fn scene_with(&self, meshes: Vec<Option<IndexedMesh>>) -> Scene {
@@ -69,7 +67,7 @@ impl LodScene {
     }
 
     /// Returns the triangles of a mesh for a view.
-    fn viewed(&self, mesh: usize, lod: &Lod, error: &ScreenError, importance: &Importance) -> IndexedMesh {
+    fn viewed(&self, mesh: usize, lod: &Lod, error: &ScreenError) -> IndexedMesh {
         let instances: Vec<&SceneInstance> =
             self.scene().instances().iter().filter(|instance| instance.mesh == mesh).collect();
         let is_morphed =
@@ -78,9 +76,9 @@ impl LodScene {
             && !is_morphed
             && let Some(inside) = error.in_object(transform)
         {
-            return refined(lod, inside.relaxed((1.0 / importance.of_instance(instance)) as f32));
+            return refined(lod, inside.relaxed((1.0 / instance.importance) as f32));
         }
-        lod.level_mesh(Target::SplitCount(uniform_level(lod, &instances, error, importance)))
+        lod.level_mesh(Target::SplitCount(uniform_level(lod, &instances, error)))
     }
 }
 
@@ -103,16 +101,11 @@ fn refined(lod: &Lod, error: ScreenError) -> IndexedMesh {
 }
 
 /// Returns the split count of the coarsest level whose error is allowed in all instances.
-fn uniform_level(
-    lod: &Lod,
-    instances: &[&SceneInstance],
-    error: &ScreenError,
-    importance: &Importance,
-) -> usize {
+fn uniform_level(lod: &Lod, instances: &[&SceneInstance], error: &ScreenError) -> usize {
     let sphere = sphere_around(lod.mesh());
     let place_of = |instance: &&SceneInstance| {
         let matrix = glam::DMat4::from_cols_array(&instance.transform);
-        Place::new(&matrix, instance.scale, &sphere).with_importance(importance.of_instance(instance))
+        Place::new(&matrix, instance.scale, &sphere).with_importance(instance.importance)
     };
     let places: Vec<Place> = instances.iter().map(place_of).collect();
     split_count(lod, &places, error)

@@ -16,9 +16,9 @@ pub type SpentFn<'a> = dyn FnMut(u64) -> f64 + 'a;
 
 /// Mesh and options of one call.
 pub(crate) struct Task<'a> {
-    pub(crate) triangles: &'a [[u32; 3]],
-    pub(crate) groups: &'a [Range<usize>],
-    pub(crate) options: &'a StripOptions,
+    pub triangles: &'a [[u32; 3]],
+    pub groups: &'a [Range<usize>],
+    pub options: &'a StripOptions,
 }
 
 impl Task<'_> {

@@ -13,8 +13,8 @@ use crate::{Failure, coloring, normals};
 /// Arrays of the mesh, and the hierarchy for views.
 #[derive(Debug, Default)]
 pub(crate) struct PrefixModel {
-    pub(crate) positions: Vec<[f32; 3]>,
-    pub(crate) layers: Vec<AttributeLayer>,
+    pub positions: Vec<[f32; 3]>,
+    pub layers: Vec<AttributeLayer>,
     first_vertices: Vec<u32>,
     targets: Vec<u32>,
     triangles: Vec<[u32; 3]>,

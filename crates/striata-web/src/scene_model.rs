@@ -17,9 +17,9 @@ const MAX_HEAD_BYTES: usize = 1 << 26;
 /// Decoder and changed triangles that the models of the meshes read.
 #[derive(Debug, Default)]
 pub(crate) struct SceneParts {
-    pub(crate) decoder: SceneStreamDecoder,
+    pub decoder: SceneStreamDecoder,
     /// Triangles of each mesh that have changed, with duplicates.
-    pub(crate) changed: Vec<Vec<u32>>,
+    pub changed: Vec<Vec<u32>>,
 }
 
 /// Parts of a scene, shared by the models of its meshes.

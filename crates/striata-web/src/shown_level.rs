@@ -4,13 +4,13 @@
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ShownLevel {
     /// Corners of the triangles, group by group.
-    pub(crate) triangles: Vec<[u32; 3]>,
+    pub triangles: Vec<[u32; 3]>,
     /// Triangle count of each group; there is at least one group.
-    pub(crate) group_counts: Vec<u32>,
+    pub group_counts: Vec<u32>,
     /// Number of vertex splits of the level.
-    pub(crate) split_count: usize,
+    pub split_count: usize,
     /// Largest distance from the full mesh, mesh units.
-    pub(crate) error: f32,
+    pub error: f32,
 }
 
 /// A request for a uniform level.

@@ -36,16 +36,16 @@ impl From<Vec<String>> for Found {
 /// The checks, with the counts of today as limits.
 const CHECKS: &[Check] = &[
     Check { name: "circles of files that use each other", limit: 28, find: circles::circles },
-    Check { name: "functions with a tuple as parameter", limit: 300, find: counts::tuple_parameters },
+    Check { name: "functions with a tuple as parameter", limit: 299, find: counts::tuple_parameters },
     Check {
         name: "doc comments that begin with a word that says nothing",
         limit: 0,
         find: counts::weak_openings,
     },
-    Check { name: "restricted pub per 10,000 lines of Rust", limit: 283, find: counts::restricted_pub },
+    Check { name: "restricted pub per 10,000 lines of Rust", limit: 219, find: counts::restricted_pub },
     Check {
         name: "type names that are defined several times",
-        limit: 202,
+        limit: 201,
         find: counts::repeated_type_names,
     },
     Check { name: "shared dependencies that no package uses", limit: 0, find: manifests::unused },

@@ -10,15 +10,15 @@ use crate::workspace;
 
 /// All Rust files that are part of the repository.
 pub(super) struct Sources {
-    pub(super) files: Vec<Source>,
+    pub files: Vec<Source>,
 }
 
 /// A Rust file.
 pub(super) struct Source {
     /// Relative to the workspace.
-    pub(super) path: PathBuf,
-    pub(super) line_count: usize,
-    pub(super) syntax: syn::File,
+    pub path: PathBuf,
+    pub line_count: usize,
+    pub syntax: syn::File,
 }
 
 impl Sources {

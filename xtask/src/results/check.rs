@@ -10,22 +10,22 @@ use super::page::{DocTable, Row, cells_of, column_of};
 /// Result of a check.
 #[derive(Debug, Default)]
 pub(super) struct CheckResult {
-    pub(super) cell_count: usize,
+    pub cell_count: usize,
     /// One line for each cell that differs.
-    pub(super) differences: Vec<String>,
+    pub differences: Vec<String>,
     /// Cells that differ, with their measured values.
-    pub(super) corrections: Vec<Correction>,
+    pub corrections: Vec<Correction>,
 }
 
 /// A cell of a page with the text that it should have.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Correction {
-    pub(super) page: String,
+    pub page: String,
     /// Line of the row, from 1.
-    pub(super) line: usize,
+    pub line: usize,
     /// Index of the cell in its row.
-    pub(super) column_index: usize,
-    pub(super) cell: String,
+    pub column_index: usize,
+    pub cell: String,
 }
 
 impl DocTable {

@@ -31,28 +31,28 @@ use super::cells::{argument, label};
 /// A table of a page with its marker.
 #[derive(Debug, Default)]
 pub(super) struct DocTable {
-    pub(super) name: String,
-    pub(super) page: String,
+    pub name: String,
+    pub page: String,
     /// Line of the marker, counted from 1.
-    pub(super) line: usize,
-    pub(super) commands: Vec<String>,
+    pub line: usize,
+    pub commands: Vec<String>,
     /// Name of the table whose commands this one shares.
     command_of: Option<String>,
-    pub(super) keys: Vec<String>,
-    pub(super) checked: Vec<String>,
-    pub(super) beginnings: Vec<String>,
-    pub(super) addresses: Vec<(String, String)>,
-    pub(super) base: String,
+    pub keys: Vec<String>,
+    pub checked: Vec<String>,
+    pub beginnings: Vec<String>,
+    pub addresses: Vec<(String, String)>,
+    pub base: String,
     names: Vec<(String, String)>,
-    pub(super) head: Vec<String>,
-    pub(super) rows: Vec<Row>,
+    pub head: Vec<String>,
+    pub rows: Vec<Row>,
 }
 
 /// A row of a table.
 #[derive(Debug)]
 pub(super) struct Row {
     /// Line of the row, counted from 1.
-    pub(super) line: usize,
+    pub line: usize,
     cells: Vec<String>,
 }
 

@@ -47,10 +47,10 @@ pub(crate) use self::strips::StripArgs;
 pub(crate) struct Cli {
     /// The verb and its arguments.
     #[command(subcommand)]
-    pub(crate) verb: Verb,
+    pub verb: Verb,
     /// Flags for what is printed.
     #[command(flatten)]
-    pub(crate) report: ReportArgs,
+    pub report: ReportArgs,
 }
 
 /// The verbs of the command.
@@ -108,14 +108,14 @@ const BASE: &str = "Base mesh (the coarsest level)";
 pub(crate) struct BaseArgs {
     /// Stop at N triangles, or P% of the input [default: as few as possible]
     #[arg(long, value_name = "N|P%", allow_hyphen_values = true, help_heading = BASE)]
-    pub(crate) base: Option<Count>,
+    pub base: Option<Count>,
     /// Fail and write nothing if --base cannot be reached
     #[arg(long, requires = "base", help_heading = BASE)]
-    pub(crate) strict: bool,
+    pub strict: bool,
     /// Guarantee that no point of the original is farther from a level (mesh units, or % of the diagonal); the
     /// errors of paged files are estimates
     #[arg(long, value_name = "DISTANCE", allow_negative_numbers = true, help_heading = BASE)]
-    pub(crate) max_error: Option<Length>,
+    pub max_error: Option<Length>,
 }
 
 /// Arguments of `build`.
@@ -128,13 +128,13 @@ pub(crate) struct BaseArgs {
 )]
 pub(crate) struct BuildArgs {
     /// Mesh or scene to read, - for stdin, or a built-in shape: shape:torus
-    pub(crate) input: PathBuf,
+    pub input: PathBuf,
     /// More files of the same mesh, for a paged file
     #[arg(value_name = "MORE")]
-    pub(crate) more: Vec<PathBuf>,
+    pub more: Vec<PathBuf>,
     /// File to write, or - for stdout [default: the input with extension .striata]
     #[arg(short, long, value_name = "OUT.striata")]
-    pub(crate) output: Option<PathBuf>,
+    pub output: Option<PathBuf>,
     /// Models to store: lodstrips (strips; small, fast), mts (strips rebuilt at each level), fans (for views;
     /// else `extract --eye` builds them), patterns (for views and boxes, with any --order), progressive
     /// (stream)
@@ -145,13 +145,13 @@ pub(crate) struct BuildArgs {
     stream: bool,
     /// Store an error for each overlap of patterns, which views and boxes then evaluate
     #[arg(long)]
-    pub(crate) overlap_errors: bool,
+    pub overlap_errors: bool,
     /// Limits of the base mesh.
     #[command(flatten)]
-    pub(crate) limits: BaseArgs,
+    pub limits: BaseArgs,
     /// How the mesh is simplified.
     #[command(flatten)]
-    pub(crate) sequence: SequenceArgs,
+    pub sequence: SequenceArgs,
     /// Stripifiers of the full mesh.
     #[arg(
         long,
@@ -159,33 +159,33 @@ pub(crate) struct BuildArgs {
         help = format!("{} [default: {BUILD_STRIPS}]", strips_help()),
         help_heading = STRIPS,
     )]
-    pub(crate) strips: Option<StripChain>,
+    pub strips: Option<StripChain>,
     /// Strips to begin with, from another stripifier: a text with the vertices of a strip in each line, or a mesh
     /// with its triangles in the order of strips. Without --strips they stay as they are
     #[arg(long, value_name = "FILE", help_heading = STRIPS)]
-    pub(crate) strips_from: Option<PathBuf>,
+    pub strips_from: Option<PathBuf>,
     /// For lodstrips: make new strips for levels that would need more indices per triangle, or `none` to edit
     /// the strips of the full mesh at all levels [default: 1.45]
     #[arg(long, value_name = "INDICES", value_parser = parse_strip_limit, help_heading = STRIPS)]
-    pub(crate) max_strip_indices: Option<f64>,
+    pub max_strip_indices: Option<f64>,
     /// Options of stripifiers that search.
     #[command(flatten)]
-    pub(crate) search: StripSearchArgs,
+    pub search: StripSearchArgs,
     /// How the stream is encoded.
     #[command(flatten)]
-    pub(crate) stream_encoding: StreamArgs,
+    pub stream_encoding: StreamArgs,
     /// Whether a scene becomes one mesh.
     #[command(flatten)]
-    pub(crate) scene: FlatArgs,
+    pub scene: FlatArgs,
     /// Parts of a scene that are left out.
     #[command(flatten)]
-    pub(crate) edits: EditArgs,
+    pub edits: EditArgs,
     /// How textures are re-encoded.
     #[command(flatten)]
-    pub(crate) textures: TextureArgs,
+    pub textures: TextureArgs,
     /// How a mesh is built that does not fit into memory.
     #[command(flatten)]
-    pub(crate) paged: PagedArgs,
+    pub paged: PagedArgs,
 }
 
 /// Arguments of `info`.
@@ -193,13 +193,13 @@ pub(crate) struct BuildArgs {
 #[command(after_help = "Examples:\n  striata info torus.striata\n  striata info shape:torus --models --json")]
 pub(crate) struct InfoArgs {
     /// Mesh, .striata file or stream to read, or - for stdin
-    pub(crate) input: PathBuf,
+    pub input: PathBuf,
     /// Also build every model and report its size and build time
     #[arg(long)]
-    pub(crate) models: bool,
+    pub models: bool,
     /// Whether a scene is described as one mesh.
     #[command(flatten)]
-    pub(crate) scene: FlatArgs,
+    pub scene: FlatArgs,
 }
 
 /// Arguments of `extract`.
@@ -212,24 +212,24 @@ pub(crate) struct InfoArgs {
 )]
 pub(crate) struct ExtractArgs {
     /// .striata file or stream to read, possibly cut off, or - for stdin
-    pub(crate) input: PathBuf,
+    pub input: PathBuf,
     /// Model to use: lodstrips, mts, fans, patterns or progressive [default: fans or patterns for --eye,
     /// patterns for --detail-box, else the first of these in the file]
     #[arg(long, value_name = "NAME")]
-    pub(crate) model: Option<String>,
+    pub model: Option<String>,
     /// Write triangles as list, strips or fans; strips and fans need .glb or .gltf, and since each fan is a
     /// primitive of its own, files with thousands of fans are large and slow to draw
     #[arg(long = "as", value_name = "FORM", default_value = "list", hide_possible_values = true)]
-    pub(crate) form: TriangleForm,
+    pub form: TriangleForm,
     /// The level to produce.
     #[command(flatten)]
-    pub(crate) level: LevelArgs,
+    pub level: LevelArgs,
     /// Several levels to produce.
     #[command(flatten)]
-    pub(crate) levels: LevelsArgs,
+    pub levels: LevelsArgs,
     /// The eye of a view.
     #[command(flatten)]
-    pub(crate) eye: EyeArgs,
+    pub eye: EyeArgs,
     /// Full detail in this box (two opposite corners); outside, the base mesh or what --error or --triangles
     /// allow
     #[arg(
@@ -240,19 +240,19 @@ pub(crate) struct ExtractArgs {
         help_heading = LEVEL,
         conflicts_with_all = ["vertices", "detail", "split_count", "levels", "eye"],
     )]
-    pub(crate) detail_box: Option<AxisAlignedBox>,
+    pub detail_box: Option<AxisAlignedBox>,
     /// Fail and write nothing if a level cannot be reached
     #[arg(long, help_heading = LEVEL)]
-    pub(crate) strict: bool,
+    pub strict: bool,
     /// The rest of the view.
     #[command(flatten)]
-    pub(crate) view: ViewArgs,
+    pub view: ViewArgs,
     /// The output file.
     #[command(flatten)]
-    pub(crate) output: OutputArgs,
+    pub output: OutputArgs,
     /// How textures are re-encoded.
     #[command(flatten)]
-    pub(crate) textures: TextureArgs,
+    pub textures: TextureArgs,
 }
 
 /// Arguments of `simplify`.
@@ -265,17 +265,17 @@ pub(crate) struct ExtractArgs {
 )]
 pub(crate) struct SimplifyArgs {
     /// Mesh or scene to read, - for stdin, or a built-in shape: shape:torus
-    pub(crate) input: PathBuf,
+    pub input: PathBuf,
     /// Positions of vertices: subset (vertices of the input) or optimal (anywhere, with fitted attributes: about half
     /// the error) [default: optimal for one level, but subset if something refers to vertices of the input]
     #[arg(long, hide_possible_values = true)]
-    pub(crate) placement: Option<PlacementArg>,
+    pub placement: Option<PlacementArg>,
     /// The level to produce.
     #[command(flatten)]
-    pub(crate) level: LevelArgs,
+    pub level: LevelArgs,
     /// Several levels to produce.
     #[command(flatten)]
-    pub(crate) levels: LevelsArgs,
+    pub levels: LevelsArgs,
     /// Guarantee that no point of the original is farther from the level; alone or with another of these
     #[arg(
         long,
@@ -284,25 +284,25 @@ pub(crate) struct SimplifyArgs {
         group = "LevelArgs",
         help_heading = LEVEL,
     )]
-    pub(crate) max_error: Option<Length>,
+    pub max_error: Option<Length>,
     /// Fail and write nothing if a level cannot be reached
     #[arg(long, help_heading = LEVEL)]
-    pub(crate) strict: bool,
+    pub strict: bool,
     /// How the mesh is simplified.
     #[command(flatten)]
-    pub(crate) sequence: SequenceArgs,
+    pub sequence: SequenceArgs,
     /// The output file.
     #[command(flatten)]
-    pub(crate) output: OutputArgs,
+    pub output: OutputArgs,
     /// Whether a scene becomes one mesh.
     #[command(flatten)]
-    pub(crate) scene: FlatArgs,
+    pub scene: FlatArgs,
     /// Parts of a scene that are left out.
     #[command(flatten)]
-    pub(crate) edits: EditArgs,
+    pub edits: EditArgs,
     /// How textures are re-encoded.
     #[command(flatten)]
-    pub(crate) textures: TextureArgs,
+    pub textures: TextureArgs,
 }
 
 /// Arguments of `distance`.
@@ -312,15 +312,15 @@ pub(crate) struct SimplifyArgs {
     striata distance scan.ply scan-small.glb --samples 2000000 --json")]
 pub(crate) struct DistanceArgs {
     /// First mesh, or .striata file (its full mesh)
-    pub(crate) a: PathBuf,
+    pub a: PathBuf,
     /// Second mesh
-    pub(crate) b: PathBuf,
+    pub b: PathBuf,
     /// Number of sample points on each surface [default: 500000]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
-    pub(crate) samples: Option<usize>,
+    pub samples: Option<usize>,
     /// Random seed of the sample points [default: 0]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
-    pub(crate) seed: Option<u64>,
+    pub seed: Option<u64>,
 }
 
 /// Arguments of `convert`.
@@ -330,7 +330,7 @@ pub(crate) struct DistanceArgs {
     striata convert robot.gltf robot.glb --meshopt --texture-format webp")]
 pub(crate) struct ConvertArgs {
     /// Mesh or scene to read, - for stdin, or a built-in shape: shape:torus
-    pub(crate) input: PathBuf,
+    pub input: PathBuf,
     /// File to write, or - for stdout
     #[arg(value_name = "OUT", required_unless_present = "output_flag")]
     positional_output: Option<PathBuf>,
@@ -345,16 +345,16 @@ pub(crate) struct ConvertArgs {
     output_flag: Option<PathBuf>,
     /// The format of the output.
     #[command(flatten)]
-    pub(crate) format: FormatArgs,
+    pub format: FormatArgs,
     /// Whether a scene becomes one mesh.
     #[command(flatten)]
-    pub(crate) scene: FlatArgs,
+    pub scene: FlatArgs,
     /// Parts of a scene that are left out.
     #[command(flatten)]
-    pub(crate) edits: EditArgs,
+    pub edits: EditArgs,
     /// How textures are re-encoded.
     #[command(flatten)]
-    pub(crate) textures: TextureArgs,
+    pub textures: TextureArgs,
 }
 
 impl ConvertArgs {
@@ -377,7 +377,7 @@ pub(crate) struct DemoArgs {
     /// Options for the messages of graphics drivers.
     #[cfg(feature = "gpu")]
     #[command(flatten)]
-    pub(crate) drivers: DriverArgs,
+    pub drivers: DriverArgs,
 }
 
 impl DemoArgs {
@@ -394,7 +394,7 @@ impl DemoArgs {
     striata completions fish > ~/.config/fish/completions/striata.fish")]
 pub(crate) struct CompletionsArgs {
     /// Shell to write the script for
-    pub(crate) shell: clap_complete::Shell,
+    pub shell: clap_complete::Shell,
 }
 
 /// Primitive type that triangles are written as.

@@ -16,22 +16,22 @@ const PAGED: &str = "Paged files, for meshes larger than memory";
 pub(crate) struct PagedArgs {
     /// Build a paged file in tasks, whatever the size of the input [default: if it does not fit into memory]
     #[arg(long, help_heading = PAGED)]
-    pub(crate) paged: bool,
+    pub paged: bool,
     /// Build a paged file within so much memory: 4GB, 500MB
     #[arg(long, value_name = "SIZE", help_heading = PAGED)]
-    pub(crate) memory: Option<ByteSize>,
+    pub memory: Option<ByteSize>,
     /// Threads that run tasks [default: one per core, as far as memory allows]
     #[arg(long, value_name = "N", help_heading = PAGED)]
-    pub(crate) threads: Option<usize>,
+    pub threads: Option<usize>,
     /// Folder for what tasks pass to each other [default: the output with .work appended]
     #[arg(long, value_name = "DIR", help_heading = PAGED)]
-    pub(crate) work: Option<PathBuf>,
+    pub work: Option<PathBuf>,
     /// Begin again, instead of going on with a build that was interrupted
     #[arg(long, help_heading = PAGED)]
-    pub(crate) restart: bool,
+    pub restart: bool,
     /// How cells and positions are chosen.
     #[command(flatten)]
-    pub(crate) cells: CellArgs,
+    pub cells: CellArgs,
 }
 
 /// Arguments that change the result of an out-of-core build.
@@ -39,22 +39,22 @@ pub(crate) struct PagedArgs {
 pub(crate) struct CellArgs {
     /// Triangles per page [default: 65536]
     #[arg(long, value_name = "N", help_heading = PAGED)]
-    pub(crate) cell: Option<usize>,
+    pub cell: Option<usize>,
     /// Join files whose borders differ by less than this (mesh units)
     #[arg(long, value_name = "DISTANCE", help_heading = PAGED)]
-    pub(crate) weld_distance: Option<Length>,
+    pub weld_distance: Option<Length>,
     /// Keep positions and attributes bit for bit instead of rounding them to 1/256 of an edge
     #[arg(long, help_heading = PAGED)]
-    pub(crate) exact: bool,
+    pub exact: bool,
     /// Build even if rounding positions merges more than one in a thousand vertices
     #[arg(long, conflicts_with = "exact", help_heading = PAGED)]
-    pub(crate) allow_merging: bool,
+    pub allow_merging: bool,
     /// Multiply the heights of a terrain
     #[arg(long, value_name = "FACTOR", allow_negative_numbers = true, help_heading = PAGED)]
-    pub(crate) z_scale: Option<f64>,
+    pub z_scale: Option<f64>,
     /// Take this sample of a raster for none, besides the one that the file names
     #[arg(long, value_name = "VALUE", allow_negative_numbers = true, help_heading = PAGED)]
-    pub(crate) nodata: Option<f64>,
+    pub nodata: Option<f64>,
 }
 
 impl PagedArgs {
@@ -85,25 +85,25 @@ impl PagedArgs {
 pub(crate) struct PlanArgs {
     /// Meshes or rasters that are one mesh
     #[arg(required = true)]
-    pub(crate) inputs: Vec<PathBuf>,
+    pub inputs: Vec<PathBuf>,
     /// File to write; without an extension, a folder with one object per page
     #[arg(short, long, value_name = "OUT")]
-    pub(crate) output: PathBuf,
+    pub output: PathBuf,
     /// Folder for the plan and for what tasks pass to each other [default: the output with .work appended]
     #[arg(long, value_name = "DIR")]
-    pub(crate) work: Option<PathBuf>,
+    pub work: Option<PathBuf>,
     /// Threads that read the input [default: one per core]
     #[arg(long, value_name = "N")]
-    pub(crate) threads: Option<usize>,
+    pub threads: Option<usize>,
     /// Simulate the build on these numbers of workers, each with one core
     #[arg(long, value_name = "N,...", value_delimiter = ',', default_values_t = [1usize, 16, 256])]
-    pub(crate) workers: Vec<usize>,
+    pub workers: Vec<usize>,
     /// Limits of the base mesh.
     #[command(flatten)]
-    pub(crate) limits: BaseArgs,
+    pub limits: BaseArgs,
     /// How cells and positions are chosen.
     #[command(flatten)]
-    pub(crate) cells: CellArgs,
+    pub cells: CellArgs,
 }
 
 /// Arguments of `run`.
@@ -113,13 +113,13 @@ pub(crate) struct PlanArgs {
     striata run city.striata.work")]
 pub(crate) struct RunArgs {
     /// Plan, or the folder that it is in
-    pub(crate) plan: PathBuf,
+    pub plan: PathBuf,
     /// Run only this task [default: all that have not been run]
     #[arg(long, value_name = "N")]
-    pub(crate) task: Option<usize>,
+    pub task: Option<usize>,
     /// Threads that run tasks [default: one per core]
     #[arg(long, value_name = "N")]
-    pub(crate) threads: Option<usize>,
+    pub threads: Option<usize>,
 }
 
 /// A number of bytes, written with a unit.

@@ -30,20 +30,20 @@ const POSE: &str = "Pose (of an animated scene)";
 )]
 pub(crate) struct RenderArgs {
     /// Scene, mesh, .striata file or stream to read, - for stdin, or a built-in shape: shape:torus
-    pub(crate) input: PathBuf,
+    pub input: PathBuf,
     /// PNG file to write, or - for stdout
     #[arg(short, long, value_name = "OUT.png")]
-    pub(crate) output: PathBuf,
+    pub output: PathBuf,
     /// Several levels in one picture, each as in --triangles: 100%,10%,500
     #[arg(long, value_name = "N|P%,...", value_delimiter = ',', conflicts_with = "LevelArgs")]
-    pub(crate) levels: Option<Vec<Count>>,
+    pub levels: Option<Vec<Count>>,
     /// Fail and write nothing if a level cannot be reached
     #[arg(long)]
-    pub(crate) strict: bool,
+    pub strict: bool,
     /// Model that provides the triangles: lodstrips, mts, fans, patterns or list (the mesh itself) [default: the
     /// first of these in the file, else list]
     #[arg(long, value_name = "NAME", hide_possible_values = true)]
-    pub(crate) model: Option<DrawnModel>,
+    pub model: Option<DrawnModel>,
     /// Color by surface (materials, vertex colors, or plain stone), strips, fans, triangles, groups or fragments
     /// (triangles that one step inserted); several get a row each
     #[arg(
@@ -55,26 +55,26 @@ pub(crate) struct RenderArgs {
         hide_possible_values = true,
         help_heading = APPEARANCE,
     )]
-    pub(crate) colors: Vec<Coloring>,
+    pub colors: Vec<Coloring>,
     /// Draw the edges of triangles
     #[arg(long, help_heading = APPEARANCE)]
-    pub(crate) wireframe: bool,
+    pub wireframe: bool,
     /// Shade each triangle with its own normal
     #[arg(long, help_heading = APPEARANCE)]
-    pub(crate) flat: bool,
+    pub flat: bool,
     /// Draw the original, colored by its distance from the level
     #[arg(long, conflicts_with_all = ["colors", "model"], help_heading = APPEARANCE)]
-    pub(crate) heat: bool,
+    pub heat: bool,
     /// Distance at the end of the color scale (mesh units, or % of the diagonal) [default: the largest in the
     /// picture]
     #[arg(long, value_name = "DISTANCE", requires = "heat", help_heading = APPEARANCE)]
-    pub(crate) heat_max: Option<Length>,
+    pub heat_max: Option<Length>,
     /// Background color: dark, light, none (transparent) or #rrggbb
     #[arg(long, value_name = "COLOR", default_value = "dark", help_heading = APPEARANCE)]
-    pub(crate) background: Background,
+    pub background: Background,
     /// Size of the picture in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x960", help_heading = APPEARANCE)]
-    pub(crate) size: Viewport,
+    pub size: Viewport,
     /// Number of rows of levels [default: whatever shows them largest]
     #[arg(
         long,
@@ -83,10 +83,10 @@ pub(crate) struct RenderArgs {
         value_parser = clap::value_parser!(u16).range(1..=64),
         help_heading = APPEARANCE,
     )]
-    pub(crate) rows: Option<u16>,
+    pub rows: Option<u16>,
     /// Pose of an animated scene.
     #[command(flatten, next_help_heading = POSE)]
-    pub(crate) pose: PoseArgs,
+    pub pose: PoseArgs,
     /// Camera of the scene: its number, beginning with 0, or its name
     #[arg(
         long,
@@ -94,7 +94,7 @@ pub(crate) struct RenderArgs {
         conflicts_with_all = ["from", "turn", "rise", "eye", "look_at", "up", "fov"],
         help_heading = CAMERA,
     )]
-    pub(crate) camera: Option<String>,
+    pub camera: Option<String>,
     /// Position of the camera; with --eye, shows the level of that view from here
     #[arg(
         long,
@@ -103,7 +103,7 @@ pub(crate) struct RenderArgs {
         conflicts_with_all = ["turn", "rise"],
         help_heading = CAMERA,
     )]
-    pub(crate) from: Option<Point>,
+    pub from: Option<Point>,
     /// Azimuth of the camera, from the front of the mesh to its right [default: -35]
     #[arg(
         long,
@@ -112,7 +112,7 @@ pub(crate) struct RenderArgs {
         value_parser = parse_degrees,
         help_heading = CAMERA,
     )]
-    pub(crate) turn: Option<f32>,
+    pub turn: Option<f32>,
     /// Elevation of the camera [default: 8; 40 for a mesh that is flat along z, with z up]
     #[arg(
         long,
@@ -121,7 +121,7 @@ pub(crate) struct RenderArgs {
         value_parser = parse_degrees,
         help_heading = CAMERA,
     )]
-    pub(crate) rise: Option<f32>,
+    pub rise: Option<f32>,
     /// Magnification
     #[arg(
         long,
@@ -131,24 +131,24 @@ pub(crate) struct RenderArgs {
         value_parser = parse_zoom,
         help_heading = CAMERA,
     )]
-    pub(crate) zoom: f32,
+    pub zoom: f32,
     /// The rest of the view; without `--eye`, parameters of the camera.
     #[command(flatten)]
-    pub(crate) view: ViewArgs,
+    pub view: ViewArgs,
     /// The level to draw. Must come after `view`, because it changes the help of `--viewport`.
     #[command(flatten)]
-    pub(crate) level: LevelChoice,
+    pub level: LevelChoice,
     /// Use the graphics adapter whose name contains this [default: the fastest]
     #[cfg(feature = "gpu")]
     #[arg(long, value_name = "NAME", conflicts_with = "software", help_heading = "Adapter")]
-    pub(crate) adapter: Option<String>,
+    pub adapter: Option<String>,
     /// Render on the CPU
     #[arg(long, help_heading = "Adapter")]
-    pub(crate) software: bool,
+    pub software: bool,
     /// Options for the messages of graphics drivers.
     #[cfg(feature = "gpu")]
     #[command(flatten)]
-    pub(crate) drivers: DriverArgs,
+    pub drivers: DriverArgs,
 }
 
 impl RenderArgs {

@@ -15,15 +15,15 @@ use striata_command::args::{EditArgs, FlatArgs, OptionalLevel, OutputArgs, Strea
 )]
 pub(crate) struct EncodeArgs {
     /// Mesh or scene to read, - for stdin, or a built-in shape: shape:torus
-    pub(crate) input: PathBuf,
+    pub input: PathBuf,
     /// File to write, or - for stdout: a stream (.stri), a GLB file that other programs show at a coarse
     /// level (.glb), or a .striata file that contains only the stream [default: the input with extension
     /// .stri]
     #[arg(short, long, value_name = "OUT")]
-    pub(crate) output: Option<PathBuf>,
+    pub output: Option<PathBuf>,
     /// How the stream is encoded.
     #[command(flatten)]
-    pub(crate) stream: StreamArgs,
+    pub stream: StreamArgs,
     /// Longest side of the previews of color textures in the stream of a scene; 0 for none
     #[arg(
         long,
@@ -33,16 +33,16 @@ pub(crate) struct EncodeArgs {
         value_parser = clap::value_parser!(u32).range(0..=4096),
         help_heading = "Textures",
     )]
-    pub(crate) preview: u32,
+    pub preview: u32,
     /// Whether a scene becomes one mesh.
     #[command(flatten)]
-    pub(crate) scene: FlatArgs,
+    pub scene: FlatArgs,
     /// Parts of a scene that are left out.
     #[command(flatten)]
-    pub(crate) edits: EditArgs,
+    pub edits: EditArgs,
     /// How textures are re-encoded.
     #[command(flatten)]
-    pub(crate) textures: TextureArgs,
+    pub textures: TextureArgs,
 }
 
 /// Arguments of `decode`.
@@ -55,11 +55,11 @@ pub(crate) struct EncodeArgs {
 )]
 pub(crate) struct DecodeArgs {
     /// Stream or .striata file with a stream, possibly cut off, or - for stdin
-    pub(crate) input: PathBuf,
+    pub input: PathBuf,
     /// The level to decode; no more of the stream is read than it needs.
     #[command(flatten)]
-    pub(crate) level: OptionalLevel,
+    pub level: OptionalLevel,
     /// The output file.
     #[command(flatten)]
-    pub(crate) output: OutputArgs,
+    pub output: OutputArgs,
 }

@@ -18,24 +18,24 @@ const DEFAULT_STRIPS: Stripifier = Stripifier::Cheapest;
     striata strip scan.striata --levels 100%,25%,5%,100%")]
 pub(crate) struct StripArgs {
     /// Mesh or .striata file (its full mesh) to read, - for stdin, or a built-in shape: shape:torus
-    pub(crate) input: PathBuf,
+    pub input: PathBuf,
     /// .glb or .gltf file to write, or - for stdout [default: only report]
     #[arg(short, long, value_name = "OUT")]
-    pub(crate) output: Option<PathBuf>,
+    pub output: Option<PathBuf>,
     /// Output format; ply requires --block-triangles, gltf excludes it [default: from the file extension; glb
     /// on stdout]
     #[arg(long, value_name = "FORMAT")]
     to: Option<StripFormatArg>,
     /// Merge equal vertices first, as `build` does; strips cross only edges whose vertices are shared
     #[arg(long)]
-    pub(crate) weld: bool,
+    pub weld: bool,
     /// Process a mesh that does not fit into memory, in blocks of at most N triangles: .ply, .stl, .obj and
     /// terrains to .ply or .glb
     #[arg(long, value_name = "N", value_parser = parse_block_triangles)]
-    pub(crate) block_triangles: Option<usize>,
+    pub block_triangles: Option<usize>,
     /// Strips that follow the level of detail.
     #[command(flatten)]
-    pub(crate) levels: StripLevelArgs,
+    pub levels: StripLevelArgs,
     /// Stripifiers to run.
     #[arg(
         long,
@@ -44,10 +44,10 @@ pub(crate) struct StripArgs {
         help = strips_help(),
         help_heading = STRIPS,
     )]
-    pub(crate) strips: StripChain,
+    pub strips: StripChain,
     /// Options of stripifiers that search.
     #[command(flatten)]
-    pub(crate) search: StripSearchArgs,
+    pub search: StripSearchArgs,
 }
 
 /// Strips that are made once and repaired while the level of detail changes.
@@ -63,7 +63,7 @@ pub(crate) struct StripLevelArgs {
         allow_hyphen_values = true,
         conflicts_with = "block_triangles"
     )]
-    pub(crate) levels: Option<Vec<Level>>,
+    pub levels: Option<Vec<Level>>,
     /// Reach each level in N moves, after each of which only the changed ranges of the index buffer are uploaded
     #[arg(
         long,
@@ -72,7 +72,7 @@ pub(crate) struct StripLevelArgs {
         requires = "levels",
         value_parser = clap::value_parser!(u32).range(1..=100_000)
     )]
-    pub(crate) frames: u32,
+    pub frames: u32,
     /// Goal of repair: fewest indices or strips
     #[arg(
         long,
@@ -81,7 +81,7 @@ pub(crate) struct StripLevelArgs {
         requires = "levels",
         hide_possible_values = true
     )]
-    pub(crate) repair: RepairArg,
+    pub repair: RepairArg,
 }
 
 /// Number that the repair of strips minimizes.

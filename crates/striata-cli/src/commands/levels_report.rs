@@ -14,14 +14,14 @@ pub(super) type MadeLevels = LevelsReport<MadeLevel, HowMade>;
 #[derive(Serialize)]
 pub(super) struct MadeLevel {
     #[serde(flatten)]
-    pub(super) written: WrittenLevel,
+    pub written: WrittenLevel,
     /// Largest sampled distance from the level to the original; null if one of them has no surface. Only reported for
     /// meshes with guaranteed errors, since that guarantee covers only distances from the original to the level.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) reverse_error: Option<Option<f64>>,
+    pub reverse_error: Option<Option<f64>>,
     /// Error allowed on the screen, for a view, pixels.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) pixels: Option<f64>,
+    pub pixels: Option<f64>,
 }
 
 impl From<WrittenLevel> for MadeLevel {
@@ -33,17 +33,17 @@ impl From<WrittenLevel> for MadeLevel {
 /// How all levels of a report were made.
 #[derive(Serialize, Default)]
 pub(super) struct HowMade {
-    pub(super) error_is_guaranteed: bool,
+    pub error_is_guaranteed: bool,
     /// Order of the steps, for a mesh.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) order: Option<&'static str>,
+    pub order: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) placement: Option<&'static str>,
+    pub placement: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) georeference: Option<Value>,
+    pub georeference: Option<Value>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) simplify_secs: Option<f64>,
-    pub(super) secs: f64,
+    pub simplify_secs: Option<f64>,
+    pub secs: f64,
 }
 
 /// Describes levels of a mesh or scene that had `before` triangles; for a mesh, errors are also shares of its diagonal.

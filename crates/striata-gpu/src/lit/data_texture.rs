@@ -16,7 +16,7 @@ const TEXEL_BYTES: u64 = 16;
 /// Texels in rows of equal length.
 #[derive(Debug)]
 pub(crate) struct DataTexture {
-    pub(crate) texture: Texture,
+    pub texture: Texture,
 }
 
 impl DataTexture {

@@ -18,11 +18,11 @@ pub(crate) const INSTANCE_BYTES: u64 = size_of::<InstanceData>() as u64;
 
 /// An object seen from the eye.
 pub(crate) struct PosedObject {
-    pub(crate) data: InstanceData,
+    pub data: InstanceData,
     /// Whether the pose mirrors the mesh.
-    pub(crate) is_mirrored: bool,
+    pub is_mirrored: bool,
     /// Center of the mesh relative to the eye.
-    pub(crate) center: DVec3,
+    pub center: DVec3,
 }
 
 impl PosedObject {

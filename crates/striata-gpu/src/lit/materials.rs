@@ -31,9 +31,9 @@ pub struct LitMaterials {
 /// A material and what is bound for it.
 #[derive(Debug)]
 pub(crate) struct MaterialEntry {
-    pub(crate) material: LitMaterial,
+    pub material: LitMaterial,
     buffer: Buffer,
-    pub(crate) bindings: BindGroup,
+    pub bindings: BindGroup,
 }
 
 /// Uniform data of a material, laid out as in `material.wgsl`.

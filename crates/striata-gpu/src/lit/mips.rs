@@ -23,9 +23,9 @@ pub(crate) enum ImageMeaning {
 /// One level of an image.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct MipLevel {
-    pub(crate) width: u32,
-    pub(crate) height: u32,
-    pub(crate) rgba: Vec<u8>,
+    pub width: u32,
+    pub height: u32,
+    pub rgba: Vec<u8>,
 }
 
 /// Returns the levels of an image, from the largest whose sides are at most `limit` pixels down to one pixel.

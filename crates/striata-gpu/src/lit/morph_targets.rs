@@ -10,11 +10,11 @@ use crate::lit::data_texture::DataTexture;
 /// them.
 #[derive(Debug)]
 pub(crate) struct MorphTargets {
-    pub(crate) texture: DataTexture,
+    pub texture: DataTexture,
     /// Targets that move anything, ascending.
     targets: Vec<u16>,
     /// Displacements per vertex and target, 1 to 3.
-    pub(crate) channel_count: u32,
+    pub channel_count: u32,
 }
 
 /// Layers of a target in the order of the channels.

@@ -21,20 +21,20 @@ pub(crate) enum Sides {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct PipelineKey {
     /// One bit per vertex buffer that the mesh has; see [`BUFFER_COUNT`].
-    pub(crate) attributes: u8,
-    pub(crate) sides: Sides,
+    pub attributes: u8,
+    pub sides: Sides,
     /// Whether the transform mirrors the mesh, so that front faces are clockwise.
-    pub(crate) is_mirrored: bool,
-    pub(crate) is_blended: bool,
+    pub is_mirrored: bool,
+    pub is_blended: bool,
 }
 
 /// Parts that all pipelines of a painter share: the shader, the layout, and the format of the target.
 #[derive(Debug)]
 pub(crate) struct PipelineParts {
-    pub(crate) module: ShaderModule,
-    pub(crate) layout: PipelineLayout,
-    pub(crate) format: TextureFormat,
-    pub(crate) samples: u32,
+    pub module: ShaderModule,
+    pub layout: PipelineLayout,
+    pub format: TextureFormat,
+    pub samples: u32,
 }
 
 /// Size of a vertex in each vertex buffer, bytes, and its attributes.

@@ -26,10 +26,10 @@ use crate::{Format, Place, ReadError, Warning};
 
 /// Binary PLY file, and remarks on what it lacks of the input.
 pub(super) struct BinaryPly {
-    pub(super) stream: PlyStream,
-    pub(super) warnings: Vec<Warning>,
+    pub stream: PlyStream,
+    pub warnings: Vec<Warning>,
     /// Layers of the triangles, without values.
-    pub(super) triangle_layers: Vec<AttributeLayer>,
+    pub triangle_layers: Vec<AttributeLayer>,
 }
 
 impl BinaryPly {

@@ -9,7 +9,7 @@ use crate::ReadError;
 /// Folder for unnamed temporary files.
 #[derive(Clone, Debug)]
 pub(super) struct ScratchFolder {
-    pub(super) folder: PathBuf,
+    pub folder: PathBuf,
 }
 
 impl ScratchFolder {

@@ -28,9 +28,9 @@ pub(super) type Key = [u32; 3];
 
 /// Triangle whose corners have keys.
 pub(super) struct KeyedTriangle<'a> {
-    pub(super) keys: [Key; 3],
+    pub keys: [Key; 3],
     /// Appends the row of a corner: position and layers, little-endian.
-    pub(super) push_row: &'a dyn Fn(usize, &mut Vec<u8>),
+    pub push_row: &'a dyn Fn(usize, &mut Vec<u8>),
 }
 
 /// Triangles whose corners have keys; corners with equal keys are the same vertex.

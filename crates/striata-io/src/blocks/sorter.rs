@@ -12,9 +12,9 @@ use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 /// Triangle to be sorted: its position along the curve, its index in the input file, and its corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Record {
-    pub(super) key: u64,
-    pub(super) index: u32,
-    pub(super) corners: [u32; 3],
+    pub key: u64,
+    pub index: u32,
+    pub corners: [u32; 3],
 }
 
 const RECORD_BYTES: usize = 24;

@@ -11,8 +11,8 @@ use crate::error::{Fault, Place};
 /// Number and types of an accessor's elements.
 #[derive(Clone)]
 pub(crate) struct Shape {
-    pub(crate) count: usize,
-    pub(crate) component_count: usize,
+    pub count: usize,
+    pub component_count: usize,
     pub(super) component: ComponentType,
     pub(super) normalized: bool,
     path: String,
@@ -29,10 +29,10 @@ pub(crate) struct Accessor<'a> {
 
 /// Replacements for some elements of the array.
 pub(super) struct Sparse<'a> {
-    pub(super) count: usize,
-    pub(super) index_type: ComponentType,
+    pub count: usize,
+    pub index_type: ComponentType,
     indices: &'a [u8],
-    pub(super) values: &'a [u8],
+    pub values: &'a [u8],
     element_bytes: usize,
 }
 

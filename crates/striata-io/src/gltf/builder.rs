@@ -9,15 +9,15 @@ pub(super) const TRIANGLE_STRIP: u32 = 5;
 /// Parts of the document written so far.
 #[derive(Default)]
 pub(super) struct Builder {
-    pub(super) binary: Vec<u8>,
-    pub(super) views: Vec<Value>,
-    pub(super) accessors: Vec<Value>,
+    pub binary: Vec<u8>,
+    pub views: Vec<Value>,
+    pub accessors: Vec<Value>,
     /// Entries of `views` that are still `null`, last first.
     free_views: Vec<usize>,
     /// Entries of `accessors` that are still `null`, last first.
     free_accessors: Vec<usize>,
     /// URIs of the images that are files of their own.
-    pub(super) image_uris: Vec<Option<String>>,
+    pub image_uris: Vec<Option<String>>,
 }
 
 /// Returns the indices of all entries that are `null`, last first.

@@ -22,15 +22,15 @@ const MAX_ELEMENTS: u64 = u32::MAX as u64 / 4;
 
 /// Parsed document with its buffers.
 pub(crate) struct Document<'a> {
-    pub(crate) root: JsonNode<'a>,
+    pub root: JsonNode<'a>,
     /// Bytes of each buffer; empty for placeholders.
     buffers: Vec<&'a [u8]>,
     /// Size of the document and its buffers in bytes; limits the size of the mesh.
-    pub(crate) input_bytes: u64,
+    pub input_bytes: u64,
     pub(super) source: Source<'a>,
-    pub(crate) unpacked: Unpacked<'a>,
+    pub unpacked: Unpacked<'a>,
     /// Largest number of elements that an accessor may have.
-    pub(crate) max_elements: u64,
+    pub max_elements: u64,
 }
 
 /// Checks the version of a document and the extensions that it requires.

@@ -7,8 +7,8 @@ use crate::error::{Fault, Place};
 /// Value and its path, such as `meshes[2].primitives[0]`.
 #[derive(Clone)]
 pub(crate) struct JsonNode<'a> {
-    pub(crate) value: &'a Value,
-    pub(crate) path: String,
+    pub value: &'a Value,
+    pub path: String,
 }
 
 /// Parses the document.
@@ -159,7 +159,7 @@ fn whole_number(value: &Value) -> Option<u64> {
 }
 
 /// Describes a value in a message, shortened.
-fn describe(value: &Value) -> String {
+pub(super) fn describe(value: &Value) -> String {
     match value {
         Value::Array(entries) => format!("an array of {}", entries.len()),
         Value::Object(_) => "an object".to_owned(),

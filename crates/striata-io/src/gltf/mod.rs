@@ -37,6 +37,7 @@ mod far_origin;
 mod files;
 mod gather;
 mod gpu_instancing;
+mod importance;
 mod json;
 mod layers;
 mod meshopt;
@@ -93,6 +94,7 @@ pub(crate) mod parts {
 pub(crate) use extensions::are_all_known;
 pub use extensions::{ExtensionUse, extension_use, known_extensions};
 pub(crate) use files::Container;
+pub(crate) use importance::usable as usable_importance;
 pub(crate) use morphs::target_of;
 pub(crate) use references::{entries, has_triangles};
 pub(crate) use shown_meshes::shown_meshes;

@@ -4,6 +4,7 @@ use glam::{DMat3, DMat4, DVec3};
 
 use super::document::Document;
 use super::gpu_instancing::{GpuInstances, unit};
+use super::importance;
 use super::json::JsonNode;
 use super::rest_pose::{RestPose, RestPoses};
 use crate::error::Fault;
@@ -11,14 +12,14 @@ use crate::error::Fault;
 /// One mesh as shown by one node.
 pub(crate) struct Instance<'a> {
     /// Index of the mesh.
-    pub(crate) mesh: u64,
+    pub mesh: u64,
     /// Name of the mesh, or of the node if the mesh has none.
-    pub(crate) name: &'a str,
+    pub name: &'a str,
     /// Transform from the mesh to the scene; the identity for skinned meshes, whose node transforms glTF
     /// ignores.
-    pub(crate) matrix: DMat4,
+    pub matrix: DMat4,
     /// Pose that its morph targets and its skin give it.
-    pub(crate) pose: RestPose,
+    pub pose: RestPose,
 }
 
 /// Transform, prepared for points and for directions.
@@ -30,7 +31,7 @@ pub(crate) struct Transform {
     cofactor: DMat3,
     /// Average scale factor of lengths.
     scale: f64,
-    pub(crate) is_mirrored: bool,
+    pub is_mirrored: bool,
 }
 
 impl Default for Transform {
@@ -157,6 +158,8 @@ pub(super) struct PlacedNode<'a> {
     pub node: JsonNode<'a>,
     /// Transform from the node to the scene.
     pub matrix: DMat4,
+    /// Importance, times that of all nodes above.
+    pub importance: f64,
 }
 
 /// Returns the nodes of the default scene in tree order.
@@ -167,17 +170,18 @@ pub(super) fn placed_nodes<'a>(root: &JsonNode<'a>) -> Result<Vec<PlacedNode<'a>
     let mut is_seen = vec![false; root.values("nodes")?.len()];
     let mut stack = roots(root)?;
     stack.reverse();
-    while let Some(Pending { index, parent, from }) = stack.pop() {
+    while let Some(Pending { index, parent, importance, from }) = stack.pop() {
         let node = root.item("nodes", index, &from)?;
         let index = index as usize;
         if std::mem::replace(&mut is_seen[index], true) {
             return Err(from.fault(format!("nodes[{index}] is reached twice: nodes must form a tree")));
         }
         let matrix = parent * local_matrix(&node)?;
+        let importance = importance::below(importance, &node);
         for child in node.entries("children")?.into_iter().rev() {
-            stack.push(Pending { index: child.as_unsigned()?, parent: matrix, from: child });
+            stack.push(Pending { index: child.as_unsigned()?, parent: matrix, importance, from: child });
         }
-        found.push(PlacedNode { index, node, matrix });
+        found.push(PlacedNode { index, node, matrix, importance });
     }
     Ok(found)
 }
@@ -187,8 +191,16 @@ struct Pending<'a> {
     index: u64,
     /// Transform of the parent.
     parent: DMat4,
+    /// Importance of the parent.
+    importance: f64,
     /// Value that refers to the node.
     from: JsonNode<'a>,
+}
+
+impl<'a> Pending<'a> {
+    fn root(index: u64, from: JsonNode<'a>) -> Self {
+        Self { index, parent: DMat4::IDENTITY, importance: 1.0, from }
+    }
 }
 
 /// Returns the roots of the default scene, or of the first; without scenes, the nodes without a parent.
@@ -198,8 +210,7 @@ fn roots<'a>(root: &JsonNode<'a>) -> Result<Vec<Pending<'a>>, Fault> {
         None => root.entries("scenes")?.into_iter().next(),
     };
     if let Some(scene) = scene {
-        let entry =
-            |at: JsonNode<'a>| Ok(Pending { index: at.as_unsigned()?, parent: DMat4::IDENTITY, from: at });
+        let entry = |at: JsonNode<'a>| Ok(Pending::root(at.as_unsigned()?, at));
         return scene.entries("nodes")?.into_iter().map(entry).collect();
     }
     let nodes = root.entries("nodes")?;
@@ -212,11 +223,7 @@ fn roots<'a>(root: &JsonNode<'a>) -> Result<Vec<Pending<'a>>, Fault> {
         }
     }
     let is_root = |&(index, _): &(usize, &JsonNode<'a>)| !is_child[index];
-    let entry = |(index, node): (usize, &JsonNode<'a>)| Pending {
-        index: index as u64,
-        parent: DMat4::IDENTITY,
-        from: node.clone(),
-    };
+    let entry = |(index, node): (usize, &JsonNode<'a>)| Pending::root(index as u64, node.clone());
     Ok(nodes.iter().enumerate().filter(is_root).map(entry).collect())
 }
 

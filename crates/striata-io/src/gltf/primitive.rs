@@ -19,13 +19,13 @@ pub(super) enum Topology {
 
 /// Primitive that draws triangles.
 pub(crate) struct Primitive<'a> {
-    pub(crate) at: JsonNode<'a>,
-    pub(crate) position: u64,
+    pub at: JsonNode<'a>,
+    pub position: u64,
     /// Semantics, sorted, and the index of each accessor.
-    pub(crate) attributes: Vec<(Semantic, u64)>,
-    pub(crate) material: Option<u32>,
+    pub attributes: Vec<(Semantic, u64)>,
+    pub material: Option<u32>,
     /// Compressed mesh that contains the indices and some attributes.
-    pub(crate) draco: Option<DracoLink<'a>>,
+    pub draco: Option<DracoLink<'a>>,
     pub(super) indices: Option<u64>,
     pub(super) topology: Topology,
 }

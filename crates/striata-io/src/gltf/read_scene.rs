@@ -9,6 +9,7 @@ use super::carry::carry;
 use super::compression;
 use super::document::Document;
 use super::extensions::are_all_carried;
+use super::importance;
 use super::json::JsonNode;
 use super::numbering::settle;
 use super::primitive::Primitive;
@@ -35,6 +36,7 @@ pub(super) fn scene_of(document: &Document<'_>, warnings: &mut Warnings) -> Resu
     let Value::Object(mut root) = document.root.value.clone() else {
         return Err(document.root.fault("the document is not an object"));
     };
+    importance::check(&document.root, warnings)?;
     let numbers = settle(&mut root, warnings);
     let mut used_bytes = 0;
     let meshes = document.root.entries("meshes")?;

@@ -5,6 +5,7 @@ use serde_json::Value;
 
 use super::document::Document;
 use super::gpu_instancing::{BYTES_PER_INSTANCE, GpuInstances, is_instanced};
+use super::importance;
 use super::json::JsonNode;
 use super::node_tree::{PlacedNode, placed_nodes};
 use crate::error::Fault;
@@ -14,17 +15,17 @@ use crate::scene::SceneInstance;
 /// nodes. `buffer` contains the data that the buffer views refer to.
 pub(crate) fn shown_meshes(document: &Value, buffer: &[u8]) -> Result<Vec<SceneInstance>, Fault> {
     let root = JsonNode { value: document, path: String::new() };
-    let mesh_count = root.values("meshes")?.len();
     if root.values("nodes")?.is_empty() {
-        let bare = |mesh| SceneInstance {
+        let bare = |(mesh, at): (usize, JsonNode<'_>)| SceneInstance {
             node: None,
             mesh,
             skin: None,
             in_node: None,
             transform: DMat4::IDENTITY.to_cols_array(),
             scale: 1.0,
+            importance: importance::below(1.0, &at),
         };
-        return Ok((0..mesh_count).map(bare).collect());
+        return Ok(root.entries("meshes")?.into_iter().enumerate().map(bare).collect());
     }
     let nodes = placed_nodes(&root)?;
     let mut matrix_of = vec![None; root.values("nodes")?.len()];
@@ -34,10 +35,10 @@ pub(crate) fn shown_meshes(document: &Value, buffer: &[u8]) -> Result<Vec<SceneI
     let mut poses = SkinPoses { root: &root, buffer, matrix_of: &matrix_of, known: Vec::new() };
     let (mut found, mut gpu_instances) = (Vec::new(), GpuInstances::new(BYTES_PER_INSTANCE));
     let mut opened = None;
-    for PlacedNode { index, node, matrix } in &nodes {
+    for PlacedNode { index, node, matrix, importance } in &nodes {
         let Some(at) = node.get("mesh") else { continue };
         let mesh = at.as_unsigned()?;
-        root.item("meshes", mesh, &at)?;
+        let importance = importance::below(*importance, &root.item("meshes", mesh, &at)?);
         let skin = node.get("skin").map(|at| poses.number(&at)).transpose()?;
         let matrix = match skin {
             Some(skin) => poses.matrix(skin)?,
@@ -52,6 +53,7 @@ pub(crate) fn shown_meshes(document: &Value, buffer: &[u8]) -> Result<Vec<SceneI
                 in_node: in_node.map(|in_node| Box::new(in_node.to_cols_array())),
                 transform: matrix.to_cols_array(),
                 scale: largest_stretch(&matrix),
+                importance,
             }
         };
         if is_instanced(node) {

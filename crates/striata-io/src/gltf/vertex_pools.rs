@@ -30,9 +30,9 @@ struct Place {
 /// Vertices of several meshes, each of them once.
 pub(super) struct Pool {
     /// The vertices, without triangles.
-    pub(super) vertices: IndexedMesh,
+    pub vertices: IndexedMesh,
     /// Numbers of the meshes, and for each the place of its vertices in the pool.
-    pub(super) members: Vec<(usize, Vec<u32>)>,
+    pub members: Vec<(usize, Vec<u32>)>,
 }
 
 /// Finds the sets of meshes that are worth a pool. Each mesh counts, so equal ones should be left out.

@@ -18,15 +18,15 @@ const BYTES_AT_ONCE: usize = 1 << 20;
 #[derive(Debug)]
 pub(crate) struct Input {
     /// Name in messages.
-    pub(crate) name: String,
+    pub name: String,
     /// Name without the extensions of compressions, by which the format is detected.
-    pub(crate) inner_name: String,
+    pub inner_name: String,
     /// Folder of files that the input refers to.
     pub(super) folder: PathBuf,
     /// The file, or the temporary file into which it was unpacked.
-    pub(crate) file: File,
+    pub file: File,
     /// Unpacked bytes.
-    pub(crate) bytes: Mapped,
+    pub bytes: Mapped,
     /// Size of the file itself.
     pub(super) file_bytes: u64,
     /// Size of the unpacked file, before any conversion.

@@ -12,10 +12,10 @@ use crate::ply::rows::{BinaryRows, Rows};
 
 /// Triangles of a run over its own vertices, with their data.
 pub(super) struct Run {
-    pub(super) triangles: Vec<[u32; 3]>,
-    pub(super) triangle_layers: Vec<AttributeLayer>,
+    pub triangles: Vec<[u32; 3]>,
+    pub triangle_layers: Vec<AttributeLayer>,
     /// Numbers of the vertices in the file.
-    pub(super) vertices: Vec<u32>,
+    pub vertices: Vec<u32>,
 }
 
 /// Faces of a file in runs, with the offset at which each run begins.
@@ -26,7 +26,7 @@ pub(super) struct FaceRuns {
     /// Offset of the first face of each run, and of the byte after the last face.
     starts: Starts,
     vertex_count: usize,
-    pub(super) triangle_count: u64,
+    pub triangle_count: u64,
 }
 
 #[derive(Clone, Debug)]
@@ -40,11 +40,11 @@ enum Starts {
 /// Facts of the file that are needed to locate the faces.
 #[derive(Clone, Copy)]
 pub(super) struct FaceOptions {
-    pub(super) is_big: bool,
-    pub(super) vertex_count: usize,
-    pub(super) piece_size: usize,
+    pub is_big: bool,
+    pub vertex_count: usize,
+    pub piece_size: usize,
     /// Whether no other element follows.
-    pub(super) is_last: bool,
+    pub is_last: bool,
 }
 
 /// Size of a row if its list has three entries; [`None`] if it has other lists.

@@ -12,8 +12,8 @@ use crate::text::trimmed;
 
 /// Solids of a file: their names and first facets.
 pub(super) struct Solids {
-    pub(super) groups: Vec<PieceGroup>,
-    pub(super) starts: Vec<usize>,
+    pub groups: Vec<PieceGroup>,
+    pub starts: Vec<usize>,
 }
 
 /// Replaces the bytes of a text file by those of a binary one, whose positions are relative to the origin that

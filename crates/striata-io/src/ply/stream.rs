@@ -36,20 +36,20 @@ const STRIPS: &str = "element tristrips 1\nproperty list uint int vertex_indices
 pub(crate) struct PlyStream {
     source: Arc<File>,
     name: String,
-    pub(crate) header: Header,
+    pub header: Header,
     /// Offset of the first vertex.
-    pub(crate) vertices_offset: u64,
-    pub(crate) vertex_count: u32,
-    pub(crate) stride: usize,
+    pub vertices_offset: u64,
+    pub vertex_count: u32,
+    pub stride: usize,
     /// Offset within a row and type of each of the three coordinates.
     axes: [(usize, Scalar); 3],
     /// Offset of the first face.
     faces_offset: u64,
     file_bytes: u64,
     /// Positions are relative to this point of the file's coordinates.
-    pub(crate) origin: [f64; 3],
+    pub origin: [f64; 3],
     /// Whether the rows have positions relative to the origin already, as those of temporary files have.
-    pub(crate) is_relative: bool,
+    pub is_relative: bool,
 }
 
 impl PlyStream {

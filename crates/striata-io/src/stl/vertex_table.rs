@@ -2,7 +2,7 @@
 
 /// Hash table that finds the vertex of a position, by open addressing over the vertices themselves.
 pub(crate) struct VertexTable {
-    pub(crate) positions: Vec<[f32; 3]>,
+    pub positions: Vec<[f32; 3]>,
     /// Vertex index plus one, or 0 for a free slot; the length is a power of two.
     table: Vec<u32>,
 }

@@ -13,36 +13,36 @@ use crate::report::Warnings;
 /// Content of a part.
 #[derive(Default)]
 pub(super) struct Model {
-    pub(super) unit: String,
+    pub unit: String,
     /// Names and values in the order of the file.
-    pub(super) metadata: Vec<(String, String)>,
-    pub(super) objects: BTreeMap<u32, Object>,
-    pub(super) properties: BTreeMap<u32, Property>,
-    pub(super) items: Vec<Component>,
+    pub metadata: Vec<(String, String)>,
+    pub objects: BTreeMap<u32, Object>,
+    pub properties: BTreeMap<u32, Property>,
+    pub items: Vec<Component>,
 }
 
 /// An object: a mesh, or other objects.
 #[derive(Default)]
 pub(super) struct Object {
-    pub(super) name: String,
+    pub name: String,
     /// Property of triangles that have none.
-    pub(super) property: Option<(u32, u32)>,
-    pub(super) positions: Vec<[f32; 3]>,
-    pub(super) triangles: Vec<[u32; 3]>,
+    pub property: Option<(u32, u32)>,
+    pub positions: Vec<[f32; 3]>,
+    pub triangles: Vec<[u32; 3]>,
     /// Property of each triangle: the group, and the entry for each corner.
-    pub(super) triangle_properties: Vec<Option<(u32, [u32; 3])>>,
+    pub triangle_properties: Vec<Option<(u32, [u32; 3])>>,
     /// Shared, because other objects may use this one while it is being read.
-    pub(super) components: Rc<Vec<Component>>,
+    pub components: Rc<Vec<Component>>,
 }
 
 /// Use of an object in another one or in the build.
 pub(super) struct Component {
     /// Part with the object, if it is another one.
-    pub(super) path: Option<String>,
-    pub(super) object: u32,
+    pub path: Option<String>,
+    pub object: u32,
     /// Matrix in column order.
-    pub(super) transform: [f64; 16],
-    pub(super) place: Place,
+    pub transform: [f64; 16],
+    pub place: Place,
 }
 
 /// Matrix that changes nothing.

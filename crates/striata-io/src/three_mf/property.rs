@@ -15,9 +15,9 @@ pub(super) enum Property {
 /// Texture coordinates of an image.
 pub(super) struct TextureGroup {
     /// Identifier of the image.
-    pub(super) texture: u32,
+    pub texture: u32,
     /// Coordinates with the origin at the bottom left.
-    pub(super) coordinates: Vec<[f32; 2]>,
+    pub coordinates: Vec<[f32; 2]>,
 }
 
 /// Parses `#RRGGBB` or `#RRGGBBAA`.

@@ -45,10 +45,10 @@ pub(super) enum Role {
 /// An array of the points or the cells.
 #[derive(Clone, Debug)]
 pub(super) struct Array {
-    pub(super) name: String,
-    pub(super) role: Role,
-    pub(super) component_count: usize,
-    pub(super) values: Values,
+    pub name: String,
+    pub role: Role,
+    pub component_count: usize,
+    pub values: Values,
 }
 
 /// Evaluates an expression with the vector of any type.

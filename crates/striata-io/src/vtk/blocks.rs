@@ -13,10 +13,10 @@ use std::io::Read as _;
 /// How arrays are stored in a file.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Storage {
-    pub(super) is_big_endian: bool,
+    pub is_big_endian: bool,
     /// Whether the numbers of headers have 8 bytes.
-    pub(super) has_long_headers: bool,
-    pub(super) compression: Option<Compression>,
+    pub has_long_headers: bool,
+    pub compression: Option<Compression>,
 }
 
 /// Compression of the blocks of arrays.

@@ -26,13 +26,13 @@ pub(super) struct Cells {
 /// Triangles of cells.
 #[derive(Debug, Default)]
 pub(super) struct Surface {
-    pub(super) triangles: Vec<[u32; 3]>,
+    pub triangles: Vec<[u32; 3]>,
     /// Cell of each triangle.
-    pub(super) cells: Vec<u32>,
+    pub cells: Vec<u32>,
     /// Numbers of cells that are not part of the surface, by what they are.
-    pub(super) left_out: BTreeMap<&'static str, usize>,
+    pub left_out: BTreeMap<&'static str, usize>,
     /// Number of curved cells, of which only the corners are used.
-    pub(super) curved_count: usize,
+    pub curved_count: usize,
 }
 
 /// Name of cells with a volume among those left out.

@@ -15,9 +15,9 @@ use crate::report::Warnings;
 pub(super) struct Grid {
     /// Three coordinates of each point.
     points: Option<Values>,
-    pub(super) cells: Cells,
-    pub(super) point_data: Vec<Array>,
-    pub(super) cell_data: Vec<Array>,
+    pub cells: Cells,
+    pub point_data: Vec<Array>,
+    pub cell_data: Vec<Array>,
 }
 
 /// Most values per vertex that a layer may have.

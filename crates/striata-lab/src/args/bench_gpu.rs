@@ -20,12 +20,12 @@ const DRAWN: &str = "Drawing";
 pub(crate) struct BenchGpuArgs {
     /// Draw these meshes, .striata files (at full detail) or shapes such as shape:sphere
     #[arg(value_name = "INPUT", required = true)]
-    pub(crate) inputs: Vec<PathBuf>,
+    pub inputs: Vec<PathBuf>,
     #[arg(long = "ways", value_name = "NAME,...", value_delimiter = ',', help = ways_help())]
     names: Option<Vec<String>>,
     /// Options of driver messages.
     #[command(flatten)]
-    pub(crate) drivers: DriverArgs,
+    pub drivers: DriverArgs,
     /// Use this many frames from full to base mesh, and as many back
     #[arg(
         long,
@@ -33,22 +33,22 @@ pub(crate) struct BenchGpuArgs {
         default_value_t = 50,
         value_parser = clap::value_parser!(u32).range(1..=10_000)
     )]
-    pub(crate) frames: u32,
+    pub frames: u32,
     /// How the level falls: equally many steps in each frame, or a share of those that are left
     #[arg(long, value_name = "PACE", value_enum, default_value_t)]
-    pub(crate) pace: Pace,
+    pub pace: Pace,
     /// Draw at this size in pixels; small images keep vertex costs visible on software adapters
     #[arg(long, value_name = "WxH", default_value = "128x128", help_heading = DRAWN)]
-    pub(crate) size: Viewport,
+    pub size: Viewport,
     /// Build models from the strips of these stripifiers, as in `strip`
     #[arg(long, value_name = "SPEC", default_value_t = BUILD_STRIPS.into(), help_heading = DRAWN)]
     strips: StripChain,
     /// Use the graphics adapter whose name contains this [default: the fastest]
     #[arg(long, value_name = "NAME", help_heading = "Adapter")]
-    pub(crate) adapter: Option<String>,
+    pub adapter: Option<String>,
     /// Draw on the CPU
     #[arg(long, conflicts_with = "adapter", help_heading = "Adapter")]
-    pub(crate) software: bool,
+    pub software: bool,
 }
 
 impl BenchGpuArgs {

@@ -12,5 +12,5 @@ use clap::Args;
 pub(crate) struct CachesArgs {
     /// Measure the triangle lists of these files
     #[arg(value_name = "INPUT", required = true)]
-    pub(crate) inputs: Vec<PathBuf>,
+    pub inputs: Vec<PathBuf>,
 }

@@ -24,10 +24,10 @@ const MODELS: &str = "Models";
 pub(crate) struct CompareArgs {
     /// Compare on these meshes, .striata files (at full detail) or shapes such as shape:sphere
     #[arg(value_name = "INPUT", required = true)]
-    pub(crate) inputs: Vec<PathBuf>,
+    pub inputs: Vec<PathBuf>,
     /// Also write a page with charts; it works offline
     #[arg(long, value_name = "OUT")]
-    pub(crate) html: Option<PathBuf>,
+    pub html: Option<PathBuf>,
     /// Measure these parts: strips, models, views, patterns, rate, assets
     #[arg(
         long,
@@ -42,22 +42,22 @@ pub(crate) struct CompareArgs {
     rate: bool,
     /// Search for tunnels of all lengths with ten seeds, and for strips up to 2 seconds; takes many times as long
     #[arg(long)]
-    pub(crate) thorough: bool,
+    pub thorough: bool,
     /// Use certified error bounds instead of estimated errors in models
     #[arg(long)]
-    pub(crate) certify: bool,
+    pub certify: bool,
     /// Options for comparing models.
     #[command(flatten)]
-    pub(crate) models: ModelArgs,
+    pub models: ModelArgs,
     /// Options for comparing stripifiers.
     #[command(flatten)]
-    pub(crate) strips: StripifierArgs,
+    pub strips: StripifierArgs,
     /// Options for comparing bytes.
     #[command(flatten)]
-    pub(crate) rates: RateArgs,
+    pub rates: RateArgs,
     /// Options for comparing assets.
     #[command(flatten)]
-    pub(crate) assets: AssetArgs,
+    pub assets: AssetArgs,
 }
 
 /// A part of the comparison.
@@ -90,7 +90,7 @@ pub(crate) struct ModelArgs {
         default_value_t = 200,
         value_parser = clap::value_parser!(u32).range(1..=10_000)
     )]
-    pub(crate) frames: u32,
+    pub frames: u32,
     /// Build models from the strips of these stripifiers, as in --strips
     #[arg(long, value_name = "SPEC", default_value_t = BUILD_STRIPS.into())]
     model_strips: StripChain,
@@ -107,7 +107,7 @@ pub(crate) struct RateArgs {
         default_value_t = 12,
         value_parser = clap::value_parser!(u32).range(4..=16)
     )]
-    pub(crate) bits: u32,
+    pub bits: u32,
     /// Encode streams with these efforts
     #[arg(
         long = "rate-efforts",
@@ -119,7 +119,7 @@ pub(crate) struct RateArgs {
     efforts: Vec<EffortArg>,
     /// Measure only sizes and times of whole files: no distances, no levels
     #[arg(long = "rate-sizes")]
-    pub(crate) sizes_only: bool,
+    pub sizes_only: bool,
 }
 
 impl RateArgs {
@@ -141,7 +141,7 @@ pub(crate) struct AssetArgs {
         default_value = "50,25,10,5,2",
         value_parser = parse_percent
     )]
-    pub(crate) shares: Vec<f64>,
+    pub shares: Vec<f64>,
     /// Compare these simplifiers; gltfpack runs through npx, which may download it
     #[arg(
         long,
@@ -150,7 +150,7 @@ pub(crate) struct AssetArgs {
         default_value = "striata,striata-subset,meshoptimizer,meshoptimizer-permissive,gltfpack,gltfpack-sp",
         hide_possible_values = true
     )]
-    pub(crate) contenders: Vec<AssetContender>,
+    pub contenders: Vec<AssetContender>,
 }
 
 /// A simplifier of assets.
@@ -190,7 +190,7 @@ impl AssetContender {
 pub(crate) struct StripifierArgs {
     /// Merge equal vertices before comparing stripifiers; models always merge them
     #[arg(long)]
-    pub(crate) weld: bool,
+    pub weld: bool,
     /// Search tunnels of at most these lengths [default: 1,9,17, or 1,3,5,9,13,17,25 with --thorough]
     #[arg(
         long,
@@ -207,13 +207,13 @@ pub(crate) struct StripifierArgs {
         default_value = "published,per-path,shortest-first,same-strip,static,grown,tunnel",
         hide_possible_values = true
     )]
-    pub(crate) tunnel_searches: Vec<Tunneling>,
+    pub tunnel_searches: Vec<Tunneling>,
     /// Measure each tunnel length with this many seeds [default: 2, or 10 with --thorough]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
     seeds: Option<u32>,
     /// Compare these stripifiers; join the passes of one with +
     #[arg(long = "strips", value_name = "SPEC,...", value_delimiter = ',', default_value = COMPARED_STRIPS)]
-    pub(crate) chains: Vec<StripChain>,
+    pub chains: Vec<StripChain>,
     /// Also run stripifiers that search for each of these times, in seconds [default: 0.5, or 0.1,0.5,2 with --thorough]
     #[arg(
         long,

@@ -32,10 +32,10 @@ pub(crate) use self::show::{ShowArgs, Structure};
 pub(crate) struct Cli {
     /// The verb to run.
     #[command(subcommand)]
-    pub(crate) verb: Verb,
+    pub verb: Verb,
     /// Options of the report.
     #[command(flatten)]
-    pub(crate) report: ReportArgs,
+    pub report: ReportArgs,
 }
 
 /// The verbs.

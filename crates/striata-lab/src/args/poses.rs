@@ -12,10 +12,10 @@ use clap::Args;
 pub(crate) struct PosesArgs {
     /// Measure the skinned or morphing meshes of these glTF scenes
     #[arg(value_name = "SCENE", required = true)]
-    pub(crate) inputs: Vec<PathBuf>,
+    pub inputs: Vec<PathBuf>,
     /// Measure levels with these shares of each mesh's triangles, in percent
     #[arg(long, value_name = "PERCENT,...", value_delimiter = ',', default_value = "50,25,10")]
-    pub(crate) shares: Vec<f64>,
+    pub shares: Vec<f64>,
     /// Measure at this many scattered times of each animation
     #[arg(
         long,
@@ -23,5 +23,5 @@ pub(crate) struct PosesArgs {
         default_value_t = 25,
         value_parser = clap::value_parser!(u32).range(1..=10_000)
     )]
-    pub(crate) times: u32,
+    pub times: u32,
 }

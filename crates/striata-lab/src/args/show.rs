@@ -14,16 +14,16 @@ pub(crate) struct ShowArgs {
     /// Draw one of: mts (the graph of a strip over all levels), tunnel (the dual graph before and after),
     /// fan (a fan and its entry in the table), pattern (a fragment, its anchors and an overlap)
     #[arg(value_name = "WHAT", hide_possible_values = true)]
-    pub(crate) what: Structure,
+    pub what: Structure,
     /// Draw it for a small part of this mesh
     #[arg(value_name = "INPUT")]
-    pub(crate) input: PathBuf,
+    pub input: PathBuf,
     /// Write the picture to this SVG file
     #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: PathBuf,
+    pub output: PathBuf,
     /// Size of the part, in triangles [default: 14 for mts, 60 otherwise]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(8..=1000))]
-    pub(crate) triangles: Option<u32>,
+    pub triangles: Option<u32>,
 }
 
 /// A structure of one of the papers.

@@ -23,9 +23,9 @@ pub(super) struct StepSet {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Change {
     /// Finest first.
-    pub(super) removed: Vec<u32>,
+    pub removed: Vec<u32>,
     /// Coarsest first.
-    pub(super) inserted: Vec<u32>,
+    pub inserted: Vec<u32>,
 }
 
 impl StepSet {

@@ -14,16 +14,16 @@ use striata_command::strip_chain::StripPlan;
 
 /// A mesh on the GPU with everything needed to draw it.
 pub(super) struct BenchScene<'a> {
-    pub(super) gpu: &'a Gpu,
-    pub(super) refinable: RefinableMesh,
-    pub(super) strips: StripSet,
+    pub gpu: &'a Gpu,
+    pub refinable: RefinableMesh,
+    pub strips: StripSet,
     /// Strip options for levels that get their own strips.
-    pub(super) level_strips: StripOptions,
-    pub(super) vertices: GpuVertices,
-    pub(super) painter: Painter,
-    pub(super) canvas: Canvas,
-    pub(super) scene: Scene,
-    pub(super) look: Look,
+    pub level_strips: StripOptions,
+    pub vertices: GpuVertices,
+    pub painter: Painter,
+    pub canvas: Canvas,
+    pub scene: Scene,
+    pub look: Look,
 }
 
 impl<'a> BenchScene<'a> {

@@ -41,40 +41,40 @@ struct Frame {
 #[derive(Clone, Copy, Debug, Serialize)]
 pub(super) struct Spread {
     /// Median, in seconds.
-    pub(super) median: f64,
+    pub median: f64,
     /// 95th percentile, in seconds.
-    pub(super) p95: f64,
+    pub p95: f64,
 }
 
 /// Measured cost of one way.
 #[derive(Debug, Serialize)]
 pub(super) struct Cost {
-    pub(super) name: &'static str,
+    pub name: &'static str,
     /// Whether all levels stay on the GPU, so that nothing is computed or uploaded.
-    pub(super) is_resident: bool,
-    pub(super) recover_secs: Spread,
-    pub(super) update_secs: Spread,
+    pub is_resident: bool,
+    pub recover_secs: Spread,
+    pub update_secs: Spread,
     /// `None` if the adapter has no time stamps.
-    pub(super) gpu_secs: Option<Spread>,
-    pub(super) frame_secs: Spread,
+    pub gpu_secs: Option<Spread>,
+    pub frame_secs: Spread,
     /// Mean over all frames.
-    pub(super) mean_frame_secs: f64,
+    pub mean_frame_secs: f64,
     /// Share of the frames' time that recovery takes, `%rec` in \[RCRG06\]; the rest is `%drw`.
-    pub(super) recover_share: f64,
+    pub recover_share: f64,
     /// Frames per second in the nearest, the middle and the farthest third of the walk.
-    pub(super) frames_per_sec: [f64; 3],
+    pub frames_per_sec: [f64; 3],
     /// Mean per frame.
-    pub(super) uploaded_bytes: f64,
+    pub uploaded_bytes: f64,
     /// Mean per frame.
-    pub(super) index_count: f64,
+    pub index_count: f64,
     /// Bytes of indices, draw commands and tables kept on the GPU.
-    pub(super) gpu_bytes: usize,
+    pub gpu_bytes: usize,
 }
 
 /// Result of timing all ways.
 pub(super) struct Timings {
-    pub(super) costs: Vec<Cost>,
-    pub(super) rounds: usize,
+    pub costs: Vec<Cost>,
+    pub rounds: usize,
 }
 
 /// A way and the times of its frames.

@@ -14,20 +14,20 @@ use striata_command::failure::Failure;
 #[derive(Clone, Debug)]
 pub(super) struct Bars {
     /// Name of the group.
-    pub(super) name: String,
+    pub name: String,
     /// One value per kind; later ones may be missing.
-    pub(super) values: Vec<f64>,
+    pub values: Vec<f64>,
 }
 
 /// A bar chart.
 #[derive(Clone, Debug)]
 pub(super) struct BarChart {
     /// Title of the value axis.
-    pub(super) title: &'static str,
+    pub title: &'static str,
     /// The kinds of values, in the order of their colors.
-    pub(super) kinds: Vec<&'static str>,
+    pub kinds: Vec<&'static str>,
     /// The groups, from top to bottom.
-    pub(super) bars: Vec<Bars>,
+    pub bars: Vec<Bars>,
 }
 
 /// Pixels reserved for names on the left, values behind bars, the legend on top, and the axis.

@@ -23,22 +23,22 @@ use striata_command::failure::unknown_name;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ModelInputs<'g> {
     /// The mesh with its sequence.
-    pub(super) refinable: &'g RefinableMesh,
+    pub refinable: &'g RefinableMesh,
     /// The mesh as fragments.
-    pub(super) fragmented: &'g FragmentedMesh,
+    pub fragmented: &'g FragmentedMesh,
     /// Strips of the full mesh.
-    pub(super) strips: &'g StripSet,
+    pub strips: &'g StripSet,
     /// Strip options for models that stripify each level.
-    pub(super) level_strips: &'g StripOptions,
+    pub level_strips: &'g StripOptions,
 }
 
 /// A model that can be compared.
 #[derive(Debug)]
 pub(super) struct Entry {
     /// Name of the model.
-    pub(super) name: &'static str,
+    pub name: &'static str,
     /// Whether it shows only some levels of the sequence.
-    pub(super) has_few_levels: bool,
+    pub has_few_levels: bool,
     build: Build,
 }
 

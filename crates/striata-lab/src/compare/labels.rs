@@ -7,11 +7,11 @@ pub(super) type Pixel = (i32, i32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct LabelPosition {
     /// Horizontal position of the anchor.
-    pub(super) x: i32,
+    pub x: i32,
     /// Vertical position of the label's center.
-    pub(super) y: i32,
+    pub y: i32,
     /// The part of the text at `x`.
-    pub(super) anchor: Anchor,
+    pub anchor: Anchor,
 }
 
 /// The part of a text at its position.
@@ -26,13 +26,13 @@ pub(super) enum Anchor {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PixelRect {
     /// Smallest x.
-    pub(super) left: i32,
+    pub left: i32,
     /// Smallest y.
-    pub(super) top: i32,
+    pub top: i32,
     /// Largest x.
-    pub(super) right: i32,
+    pub right: i32,
     /// Largest y.
-    pub(super) bottom: i32,
+    pub bottom: i32,
 }
 
 impl PixelRect {

@@ -33,10 +33,10 @@ pub(super) const POSITION_BYTES: usize = 12;
 pub(super) struct ModelsReport {
     /// The data that the models were built from.
     #[serde(rename = "models_of")]
-    pub(super) basis: Basis,
+    pub basis: Basis,
     /// One row per model.
     #[serde(rename = "models")]
-    pub(super) rows: Vec<ModelRow>,
+    pub rows: Vec<ModelRow>,
     /// Models whose published form cannot represent the mesh.
     #[serde(rename = "models_refused")]
     refused: Vec<Refusal>,
@@ -53,54 +53,54 @@ struct Refusal {
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Basis {
     /// Number of vertices after welding.
-    pub(super) vertex_count: usize,
+    pub vertex_count: usize,
     /// Number of triangles after welding.
-    pub(super) triangle_count: usize,
+    pub triangle_count: usize,
     step_count: usize,
     base_triangle_count: usize,
     /// Strips of the full mesh.
-    pub(super) strips: StripReport,
+    pub strips: StripReport,
     /// Bytes of positions and strip indices: a mesh without levels.
-    pub(super) plain_bytes: usize,
+    pub plain_bytes: usize,
     /// Seconds to build the sequence.
-    pub(super) sequence_secs: f64,
+    pub sequence_secs: f64,
     /// Frames in each direction of a walk.
-    pub(super) frames: usize,
+    pub frames: usize,
     /// Number of rounds in which the models took turns.
-    pub(super) rounds: usize,
+    pub rounds: usize,
 }
 
 /// Measurements of one model.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct ModelRow {
     /// Name of the model.
-    pub(super) name: &'static str,
+    pub name: &'static str,
     /// Bytes of the static half, without positions.
     bytes: usize,
     bytes_per_vertex: f64,
     parts: Map<String, Value>,
     /// Including positions.
-    pub(super) total_bytes: usize,
+    pub total_bytes: usize,
     /// Ratio of `total_bytes` to the plain mesh.
-    pub(super) ratio_to_plain: f64,
+    pub ratio_to_plain: f64,
     /// Including positions, as the papers count.
-    pub(super) paper_bytes: usize,
+    pub paper_bytes: usize,
     /// Like `paper_bytes`, but with 2 bytes per integer.
-    pub(super) short_paper_bytes: usize,
+    pub short_paper_bytes: usize,
     paper_bytes_per_vertex: f64,
     /// Ratio of `paper_bytes` to the plain mesh.
-    pub(super) paper_ratio_to_plain: f64,
+    pub paper_ratio_to_plain: f64,
     /// Bytes of an instance that shows the full mesh.
     state_bytes: usize,
     /// Seconds to build the model from the sequence and the strips.
-    pub(super) build_secs: f64,
+    pub build_secs: f64,
     /// None if the model has too few levels for single steps.
     sweep_ns_per_step: Option<f64>,
     swept_step_count: usize,
     seek_secs: f64,
     /// Whether it draws strips instead of single triangles.
     #[serde(skip)]
-    pub(super) draws_strips: bool,
+    pub draws_strips: bool,
     /// Reports of the walks, by pace.
     walks: BTreeMap<&'static str, WalkReport>,
 }
@@ -109,9 +109,9 @@ pub(super) struct ModelRow {
 #[derive(Debug)]
 pub(super) struct Sequenced {
     /// The welded mesh with its sequence.
-    pub(super) refinable: RefinableMesh,
+    pub refinable: RefinableMesh,
     /// Seconds to build the sequence.
-    pub(super) secs: f64,
+    pub secs: f64,
 }
 
 impl Sequenced {

@@ -11,11 +11,11 @@ const LEVEL_COUNT: usize = 10;
 /// A model and its name.
 pub(super) struct Checked<'c> {
     /// Name of the model.
-    pub(super) name: &'static str,
+    pub name: &'static str,
     /// Whether it may show a coarser level than requested.
-    pub(super) has_few_levels: bool,
+    pub has_few_levels: bool,
     /// The model.
-    pub(super) contender: &'c mut dyn Contender,
+    pub contender: &'c mut dyn Contender,
 }
 
 /// Moves all models through the same levels, down and up, and compares their triangles with plain

@@ -12,11 +12,11 @@ const TEMPLATE: &str = include_str!("page.html");
 #[derive(Clone, Debug)]
 pub(super) struct Section {
     /// Heading of the section.
-    pub(super) title: String,
+    pub title: String,
     /// Introduction that explains the section.
-    pub(super) intro: String,
+    pub intro: String,
     /// Charts and tables; two fit next to each other on wide screens.
-    pub(super) blocks: Vec<Block>,
+    pub blocks: Vec<Block>,
 }
 
 /// A chart or a table.
@@ -81,11 +81,11 @@ impl Section {
 #[derive(Clone, Debug)]
 pub(super) struct MeshPart {
     /// Name of the mesh.
-    pub(super) name: String,
+    pub name: String,
     /// One-line summary of the mesh.
-    pub(super) summary: String,
+    pub summary: String,
     /// The sections of its measurements.
-    pub(super) sections: Vec<Section>,
+    pub sections: Vec<Section>,
 }
 
 /// Renders the page, which is self-contained: it needs neither a network nor other files.

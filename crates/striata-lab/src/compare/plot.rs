@@ -59,11 +59,11 @@ pub(crate) const SERIES: [(RGBColor, &str); 17] = [
 #[derive(Clone, Debug)]
 pub(super) struct Series {
     /// Name of the series.
-    pub(super) name: String,
+    pub name: String,
     /// Its points from left to right.
-    pub(super) points: Vec<(f64, f64)>,
+    pub points: Vec<(f64, f64)>,
     /// Minimum and maximum of the values that each point stands for; empty if there is no spread.
-    pub(super) spread: Vec<(f64, f64)>,
+    pub spread: Vec<(f64, f64)>,
 }
 
 impl Series {
@@ -79,15 +79,15 @@ impl Series {
 #[derive(Clone, Debug)]
 pub(super) struct Chart {
     /// Title of the horizontal axis.
-    pub(super) x_title: &'static str,
+    pub x_title: &'static str,
     /// Title of the vertical axis.
-    pub(super) y_title: &'static str,
+    pub y_title: &'static str,
     /// The horizontal axis.
-    pub(super) x: Scale,
+    pub x: Scale,
     /// The vertical axis.
-    pub(super) y: Scale,
+    pub y: Scale,
     /// The series to draw.
-    pub(super) series: Vec<Series>,
+    pub series: Vec<Series>,
 }
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;

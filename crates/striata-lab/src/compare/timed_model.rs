@@ -28,9 +28,9 @@ const JUMP_SEED: u64 = 1;
 /// A model and its times.
 pub(super) struct TimedModel {
     /// The kind of model.
-    pub(super) entry: &'static Entry,
+    pub entry: &'static Entry,
     /// The model.
-    pub(super) contender: Box<dyn Contender>,
+    pub contender: Box<dyn Contender>,
     sweep: Sweep,
     jump_secs: Vec<f64>,
     walks: Vec<Walk>,

@@ -151,36 +151,36 @@ pub(super) fn thinned(count: usize) -> Vec<usize> {
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct WalkReport {
     /// Seconds to move to a frame's level.
-    pub(super) extract_secs: f64,
+    pub extract_secs: f64,
     /// Seconds to move there and copy its indices.
-    pub(super) extract_and_send_secs: f64,
+    pub extract_and_send_secs: f64,
     extract_away_secs: f64,
     extract_back_secs: f64,
     /// Number of indices drawn.
-    pub(super) index_count: f64,
+    pub index_count: f64,
     /// Number of strips drawn.
-    pub(super) strip_count: f64,
+    pub strip_count: f64,
     /// Number of triangles shown.
-    pub(super) triangle_count: f64,
+    pub triangle_count: f64,
     /// Values by frame.
-    pub(super) series: Series,
+    pub series: Series,
 }
 
 /// Frames of a walk from near to far; times are means of both directions.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Series {
     /// Indices of the frames.
-    pub(super) frame: Vec<usize>,
+    pub frame: Vec<usize>,
     split_count: Vec<usize>,
     triangle_count: Vec<usize>,
     /// Number of indices drawn.
-    pub(super) index_count: Vec<usize>,
+    pub index_count: Vec<usize>,
     /// Number of strips drawn.
-    pub(super) strip_count: Vec<usize>,
+    pub strip_count: Vec<usize>,
     /// Seconds to move there.
-    pub(super) extract_secs: Vec<f64>,
+    pub extract_secs: Vec<f64>,
     /// Seconds to move there and copy the indices.
-    pub(super) extract_and_send_secs: Vec<f64>,
+    pub extract_and_send_secs: Vec<f64>,
 }
 
 #[cfg(test)]

@@ -45,8 +45,8 @@ impl PosedMesh {
 /// Distances over all vertices and poses, mesh units.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub(super) struct Distances {
-    pub(super) rms: f64,
-    pub(super) max: f64,
+    pub rms: f64,
+    pub max: f64,
 }
 
 /// Measures the distance of each vertex of the full mesh from a level in the same pose.

@@ -9,50 +9,50 @@ use super::measure::Distances;
 #[derive(Serialize)]
 pub(super) struct Report {
     /// Times of each animation.
-    pub(super) times: u32,
-    pub(super) scenes: Vec<SceneReport>,
+    pub times: u32,
+    pub scenes: Vec<SceneReport>,
 }
 
 /// The deformed meshes of a scene.
 #[derive(Serialize)]
 pub(super) struct SceneReport {
-    pub(super) name: String,
-    pub(super) meshes: Vec<MeshReport>,
+    pub name: String,
+    pub meshes: Vec<MeshReport>,
 }
 
 /// Levels of a mesh that was simplified for its poses, and of the same mesh simplified in its bind pose.
 #[derive(Serialize)]
 pub(super) struct MeshReport {
-    pub(super) index: usize,
-    pub(super) name: String,
-    pub(super) triangle_count: usize,
-    pub(super) vertex_count: usize,
+    pub index: usize,
+    pub name: String,
+    pub triangle_count: usize,
+    pub vertex_count: usize,
     /// Poses that were measured.
-    pub(super) pose_count: usize,
+    pub pose_count: usize,
     /// Time of simplification in the bind pose.
-    pub(super) bind_secs: f64,
+    pub bind_secs: f64,
     /// Time of simplification for poses: their choice, simplification, and measuring them.
-    pub(super) secs: f64,
-    pub(super) choice_secs: f64,
-    pub(super) finish_secs: f64,
-    pub(super) levels: Vec<LevelReport>,
+    pub secs: f64,
+    pub choice_secs: f64,
+    pub finish_secs: f64,
+    pub levels: Vec<LevelReport>,
 }
 
 /// Levels of one share; lengths in mesh units.
 #[derive(Serialize)]
 pub(super) struct LevelReport {
-    pub(super) percent: f64,
-    pub(super) triangle_count: usize,
+    pub percent: f64,
+    pub triangle_count: usize,
     /// Distances of the level that was simplified in the bind pose, and the error that it reports.
-    pub(super) bind: Distances,
-    pub(super) bind_error: f64,
+    pub bind: Distances,
+    pub bind_error: f64,
     /// Distances of the level that was simplified for poses.
-    pub(super) distances: Distances,
+    pub distances: Distances,
     /// Its error before poses were measured, and after.
-    pub(super) estimated_error: f64,
-    pub(super) error: f64,
+    pub estimated_error: f64,
+    pub error: f64,
     /// Whether no distance exceeds the error.
-    pub(super) is_held: bool,
+    pub is_held: bool,
 }
 
 impl Report {

@@ -10,7 +10,7 @@ const STARTS: usize = 200;
 
 /// A connected part of a mesh, without attributes.
 pub(super) struct Patch {
-    pub(super) mesh: IndexedMesh,
+    pub mesh: IndexedMesh,
     /// Directions to the right and up in pictures.
     axes: [DVec3; 2],
 }

@@ -37,9 +37,9 @@ pub(super) fn tint(RGBColor(r, g, b): RGBColor) -> RGBColor {
 /// How a line is drawn.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Line {
-    pub(super) color: RGBColor,
-    pub(super) width: u32,
-    pub(super) is_dashed: bool,
+    pub color: RGBColor,
+    pub width: u32,
+    pub is_dashed: bool,
 }
 
 impl Line {
@@ -164,7 +164,7 @@ impl Sheet {
 pub(super) struct Panel {
     scale: f64,
     offset: DVec2,
-    pub(super) middle: f64,
+    pub middle: f64,
 }
 
 impl Panel {

@@ -20,9 +20,9 @@ const TAIL_BYTES: usize = 16;
 /// One segment of a part file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Segment {
-    pub(super) id: PageId,
-    pub(super) offset: u64,
-    pub(super) byte_count: u64,
+    pub id: PageId,
+    pub offset: u64,
+    pub byte_count: u64,
 }
 
 /// Writes a part file; without [`Self::finish`], nothing stays.
@@ -74,7 +74,7 @@ impl PartWriter {
 #[derive(Debug)]
 pub(super) struct PartFile {
     path: PathBuf,
-    pub(super) segments: Vec<Segment>,
+    pub segments: Vec<Segment>,
 }
 
 impl PartFile {

@@ -110,13 +110,13 @@ pub struct Plan {
 
 /// Facts of an input that are known once it has been read for the first time.
 pub(super) struct Scanned {
-    pub(super) metadata: Metadata,
-    pub(super) partition: Partition,
-    pub(super) piece_count: u64,
+    pub metadata: Metadata,
+    pub partition: Partition,
+    pub piece_count: u64,
     /// Remark on how positions are kept.
-    pub(super) note: Option<&'static str>,
+    pub note: Option<&'static str>,
     /// Positions that become others, if a distance for that was given.
-    pub(super) weld: Option<WeldMap>,
+    pub weld: Option<WeldMap>,
 }
 
 impl Plan {

@@ -14,7 +14,7 @@ const ERROR_BITS: u32 = 17;
 /// Writes numbers and arrays.
 #[derive(Debug)]
 pub(super) struct Writer {
-    pub(super) bytes: Vec<u8>,
+    pub bytes: Vec<u8>,
     /// Numbers of layers of vertices and of triangles.
     layer_counts: [usize; 2],
 }
@@ -106,11 +106,11 @@ impl Writer {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PendingPage {
     /// The page; its imports are numbers of `others`.
-    pub(super) page: Page,
+    pub page: Page,
     /// Position of each import, mesh units.
-    pub(super) others: Vec<[f32; 3]>,
+    pub others: Vec<[f32; 3]>,
     /// Layers of the imports.
-    pub(super) other_layers: Vec<AttributeLayer>,
+    pub other_layers: Vec<AttributeLayer>,
 }
 
 /// Reads what a [`Writer`] wrote.

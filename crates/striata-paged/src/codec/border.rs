@@ -6,11 +6,11 @@ const NONE: u32 = u32::MAX;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gate {
     /// Nodes of the edge.
-    pub(super) nodes: [u32; 2],
+    pub nodes: [u32; 2],
     /// Vertices at them, and at the third corner of the triangle.
-    pub(super) vertices: [u32; 3],
+    pub vertices: [u32; 3],
     /// Group of the triangle.
-    pub(super) group: u32,
+    pub group: u32,
     /// The gate that began before at the same node and is still open, or [`NONE`].
     next: u32,
     is_open: bool,

@@ -22,19 +22,19 @@ const OTHER: usize = 6;
 #[derive(Default)]
 pub(super) struct Shape {
     /// Positions, in the order in which they are met.
-    pub(super) positions: Vec<[f32; 3]>,
+    pub positions: Vec<[f32; 3]>,
     /// Vertices of each position.
-    pub(super) wedges: Wedges,
+    pub wedges: Wedges,
     /// Position of each vertex.
-    pub(super) vertices: Vec<u32>,
-    pub(super) layers: Vec<AttributeLayer>,
-    pub(super) keys: Vec<f32>,
-    pub(super) errors: Vec<f32>,
-    pub(super) targets: Vec<u32>,
-    pub(super) imports: Vec<Import>,
-    pub(super) triangles: Vec<[u32; 3]>,
-    pub(super) groups: Vec<u32>,
-    pub(super) triangle_layers: Vec<AttributeLayer>,
+    pub vertices: Vec<u32>,
+    pub layers: Vec<AttributeLayer>,
+    pub keys: Vec<f32>,
+    pub errors: Vec<f32>,
+    pub targets: Vec<u32>,
+    pub imports: Vec<Import>,
+    pub triangles: Vec<[u32; 3]>,
+    pub groups: Vec<u32>,
+    pub triangle_layers: Vec<AttributeLayer>,
 }
 
 impl Shape {
@@ -44,11 +44,11 @@ impl Shape {
 
 /// Codes the triangles of a page and everything that hangs on them.
 pub(super) struct TriangleCoder<'a> {
-    pub(super) counts: &'a Counts,
-    pub(super) metadata: &'a Metadata,
-    pub(super) is_base: bool,
-    pub(super) shape: Shape,
-    pub(super) models: VertexModels,
+    pub counts: &'a Counts,
+    pub metadata: &'a Metadata,
+    pub is_base: bool,
+    pub shape: Shape,
+    pub models: VertexModels,
     border: Border,
     kinds: Vec<[AdaptiveBit; 7]>,
     /// The two last kinds, as context.
@@ -60,7 +60,7 @@ pub(super) struct TriangleCoder<'a> {
     group: QuickNumber,
     lone: QuickNumber,
     /// In a writer: the number that each vertex of the page has here; `u32::MAX` for those not met.
-    pub(super) met: Vec<u32>,
+    pub met: Vec<u32>,
 }
 
 const UNMET: u32 = u32::MAX;

@@ -19,8 +19,8 @@ pub(super) struct PageSurface<'a> {
     page: &'a Page,
     owned_vertices: u32,
     owned_positions: u32,
-    pub(super) corners: Vec<[u32; 3]>,
-    pub(super) is_alive: Vec<bool>,
+    pub corners: Vec<[u32; 3]>,
+    pub is_alive: Vec<bool>,
     /// Position of each vertex and import, in mesh units.
     points: Vec<[f32; 3]>,
     /// Node of each vertex and import; `None` if they are numbered alike.

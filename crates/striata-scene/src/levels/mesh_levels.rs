@@ -11,14 +11,14 @@ use super::weight::MeshWeight;
 /// Levels of one mesh.
 #[derive(Clone, Debug)]
 pub(super) struct MeshLevels {
-    pub(super) levels: Levels,
-    pub(super) weight: MeshWeight,
+    pub levels: Levels,
+    pub weight: MeshWeight,
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Counts {
-    pub(super) triangles: usize,
-    pub(super) vertices: usize,
+    pub triangles: usize,
+    pub vertices: usize,
 }
 
 impl MeshLevels {

@@ -20,11 +20,10 @@ mod weight;
 use striata::mesh::Levels;
 use striata::simplify::StopReason;
 use striata::{Lod, Target};
+use striata_io::SceneInstance;
 
 use mesh_levels::{Counts, MeshLevels, first_meshes, merged_order};
 pub use weight::MeshWeight;
-
-use crate::importance::usable;
 
 /// Fewest steps of a block; a block has at least as many steps as there are meshes, so that the states at
 /// the starts of blocks need no more memory than the steps.
@@ -105,7 +104,7 @@ impl SceneLevels {
         let weight_of = |mesh: usize| {
             let weight = weights.get(mesh).copied().unwrap_or_default();
             let is_scale = weight.scale > 0.0 && weight.scale.is_finite();
-            let importance = usable(weight.importance);
+            let importance = SceneInstance::usable_importance(weight.importance).unwrap_or(1.0);
             MeshWeight { scale: if is_scale { weight.scale } else { 1.0 }, importance, ..weight }
         };
         let with_weight =

@@ -4,7 +4,6 @@ use serde_json::{Value, json};
 use striata_io::{Scene, SceneParts};
 
 use crate::document::{entries, index};
-use crate::importance::{Importance, usable};
 
 /// How much the errors and triangles of a mesh count in a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,16 +32,14 @@ impl MeshWeight {
     /// in all animations of the node and its ancestors, since an object that appears by growing needs the level of
     /// its full size. The scale of a mesh all of whose instances are flattened to a point is 1.
     ///
-    /// The importance is the largest among its instances: the products of the number `importance` in the `extras` of
-    /// the mesh, the node and its ancestors.
+    /// The importance is the largest among its instances.
     pub fn of_scene(scene: &Scene) -> Vec<Self> {
         let mut weights = vec![Self { scale: 0.0, instance_count: 0, importance: 0.0 }; scene.meshes().len()];
-        let importance = Importance::of_scene(scene);
         let largest = at_largest_scales(scene);
         for instance in largest.as_ref().unwrap_or(scene).instances() {
             let weight = &mut weights[instance.mesh];
             weight.instance_count += 1;
-            weight.importance = weight.importance.max(importance.of_instance(instance));
+            weight.importance = weight.importance.max(instance.importance);
             if instance.scale.is_finite() {
                 weight.scale = weight.scale.max(instance.scale);
             }
@@ -55,7 +52,9 @@ impl MeshWeight {
             if weight.scale == 0.0 {
                 weight.scale = 1.0;
             }
-            weight.importance = usable(weight.importance);
+            if weight.importance == 0.0 {
+                weight.importance = 1.0;
+            }
         }
         weights
     }

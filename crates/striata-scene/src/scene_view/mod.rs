@@ -14,9 +14,9 @@ use std::ops::Range;
 use striata::mesh::Semantic;
 use striata::view::{ScreenError, Sphere};
 use striata::{Level, Lod, Target, View};
+use striata_io::SceneInstance;
 
 use crate::drawn::DrawnInstance;
-use crate::importance::{Importance, usable};
 use crate::place::{self, Place, sphere_around};
 use crate::{LodScene, SceneLevel};
 
@@ -85,7 +85,7 @@ impl LodScene {
 impl SceneView {
     fn new(lods: LodScene) -> Self {
         let meshes = lods.lods().iter().map(|lod| Some(UniformMesh::new(lod.as_ref()?))).collect();
-        let (mut free, importance) = (MAX_VIEWS, Importance::of_scene(lods.scene()));
+        let mut free = MAX_VIEWS;
         let instances = lods.scene().instances().iter().map(|instance| {
             let is_rigid = instance.skin.is_none();
             let may_refine = is_rigid && free > 0;
@@ -93,7 +93,7 @@ impl SceneView {
             InstanceView {
                 mesh: instance.mesh,
                 is_hidden: false,
-                importance: importance.of_instance(instance),
+                importance: instance.importance,
                 may_refine,
                 is_refined: false,
                 view: None,
@@ -115,11 +115,12 @@ impl SceneView {
         }
     }
 
-    /// Sets how much the errors of an instance count: 2 allows it half of the pixels that others may err by. At first
-    /// it is the number `importance` in the `extras` of its mesh, times those of its node and all ancestors; 1 without
-    /// any. Instances that do not exist, and values that are not positive numbers, are ignored.
+    /// Sets how much the errors of an instance count, 1e-6 to 1e6: 2 allows it half of the pixels that others may err
+    /// by. At first it is [`SceneInstance::importance`]. Instances that do not exist, and values that are not positive
+    /// numbers, are ignored.
     pub fn set_importance(&mut self, instance: usize, importance: f64) {
-        if let Some(instance) = self.instances.get_mut(instance).filter(|_| usable(importance) == importance)
+        if let (Some(instance), Some(importance)) =
+            (self.instances.get_mut(instance), SceneInstance::usable_importance(importance))
         {
             instance.importance = importance;
         }

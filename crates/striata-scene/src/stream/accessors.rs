@@ -10,11 +10,11 @@ use crate::document::index;
 /// Location of an accessor's elements in the buffer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct AccessorPlace {
-    pub(super) bytes: Range<usize>,
+    pub bytes: Range<usize>,
     /// Distance between elements, bytes.
-    pub(super) stride: usize,
+    pub stride: usize,
     /// Whether the components are 32 bits wide.
-    pub(super) is_wide: bool,
+    pub is_wide: bool,
 }
 
 /// Returns the place of an accessor without sparse data in the buffer, if all of it is inside.

@@ -155,8 +155,8 @@ fn check_length(what: &'static str, length: usize) -> Result<(), SceneEncodeErro
 
 /// The stream of a mesh.
 pub(super) struct MeshStream {
-    pub(super) bytes: Vec<u8>,
-    pub(super) info: StreamInfo,
+    pub bytes: Vec<u8>,
+    pub info: StreamInfo,
     /// Factor from mesh units to scene units, 0 if the mesh is not shown.
     scale: f64,
 }

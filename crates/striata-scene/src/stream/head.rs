@@ -12,19 +12,19 @@ use crate::copies::Copies;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct SceneHead {
     /// The glTF document, without geometry and images.
-    pub(super) document: Value,
+    pub document: Value,
     /// Texts that the writer adds, as pairs of key and value.
-    pub(super) metadata: Vec<(String, String)>,
+    pub metadata: Vec<(String, String)>,
     /// Length of the packets after this one until every mesh can be drawn, bytes.
-    pub(super) base_bytes: u64,
+    pub base_bytes: u64,
     /// Length of the packets after this one until every image has a preview, bytes.
-    pub(super) preview_bytes: u64,
+    pub preview_bytes: u64,
     /// Byte ranges of each part of the buffer; the parts together are the buffer.
-    pub(super) buffer: [Vec<ByteRange>; PART_COUNT],
-    pub(super) meshes: Vec<Option<MeshEntry>>,
+    pub buffer: [Vec<ByteRange>; PART_COUNT],
+    pub meshes: Vec<Option<MeshEntry>>,
     /// Mesh whose stream each mesh has; usually itself.
-    pub(super) sources: Vec<usize>,
-    pub(super) images: Vec<ImageEntry>,
+    pub sources: Vec<usize>,
+    pub images: Vec<ImageEntry>,
 }
 
 /// Number of parts of the buffer: what is needed to draw the scene, and what animations need.
@@ -33,39 +33,39 @@ pub(super) const PART_COUNT: usize = 2;
 /// A range of the buffer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct ByteRange {
-    pub(super) offset: u64,
-    pub(super) length: u64,
+    pub offset: u64,
+    pub length: u64,
 }
 
 /// A mesh that follows as a stream.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct MeshEntry {
     /// Length of the mesh's own stream; 0 if it has that of another mesh.
-    pub(super) bytes: u64,
-    pub(super) vertex_count: u32,
-    pub(super) triangle_count: u32,
-    pub(super) step_count: u32,
-    pub(super) group_count: u32,
+    pub bytes: u64,
+    pub vertex_count: u32,
+    pub triangle_count: u32,
+    pub step_count: u32,
+    pub group_count: u32,
     /// Error of the base mesh, mesh units.
-    pub(super) error: f32,
+    pub error: f32,
     /// Largest factor from mesh units to scene units; 0 if the scene does not show the mesh.
-    pub(super) scale: f64,
+    pub scale: f64,
 }
 
 /// An image that follows.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct ImageEntry {
     /// Length of the image; 0 if it is missing.
-    pub(super) bytes: u64,
+    pub bytes: u64,
     /// Length of the preview; 0 if there is none.
-    pub(super) preview_bytes: u64,
+    pub preview_bytes: u64,
     /// Width and height, or 0 if they are unknown.
-    pub(super) size: (u32, u32),
+    pub size: (u32, u32),
     /// Average color, RGBA.
-    pub(super) average: [u8; 4],
-    pub(super) name: String,
-    pub(super) uri: String,
-    pub(super) mime_type: String,
+    pub average: [u8; 4],
+    pub name: String,
+    pub uri: String,
+    pub mime_type: String,
 }
 
 /// Returns how many bytes may be unpacked from `packed` bytes.

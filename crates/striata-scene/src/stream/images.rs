@@ -11,11 +11,11 @@ use crate::textures::{TextureRole, image_info, image_roles};
 /// Image as a writer sends it: its entry in the table, its preview, and measures of its importance.
 #[derive(Clone, Debug, Default)]
 pub(super) struct PreparedImage {
-    pub(super) entry: ImageEntry,
+    pub entry: ImageEntry,
     /// Preview, or nothing.
-    pub(super) preview: Vec<u8>,
+    pub preview: Vec<u8>,
     /// Whether the image itself is small enough to take the place of its preview.
-    pub(super) is_early: bool,
+    pub is_early: bool,
     /// Area that the image is seen on, square units of the scene, weighted by role.
     area: f64,
     /// Contrast that the preview has lost, 0 to 1.

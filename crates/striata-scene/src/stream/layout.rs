@@ -18,10 +18,10 @@ const IMAGE_PIECE_BYTES: usize = 1 << 16;
 /// Packets in the order of the stream, with a count of what they contain.
 #[derive(Default)]
 pub(super) struct Packets {
-    pub(super) bytes: Vec<u8>,
+    pub bytes: Vec<u8>,
     /// Length of everything but payloads.
-    pub(super) head_bytes: usize,
-    pub(super) sizes: SceneStreamSizes,
+    pub head_bytes: usize,
+    pub sizes: SceneStreamSizes,
 }
 
 impl Packets {
@@ -46,11 +46,11 @@ impl Packets {
 
 /// All packets after the document.
 pub(super) struct Body {
-    pub(super) packets: Packets,
+    pub packets: Packets,
     /// Length of the packets until every mesh can be drawn.
-    pub(super) base_end: usize,
+    pub base_end: usize,
     /// Length of the packets until all previews are there.
-    pub(super) preview_end: usize,
+    pub preview_end: usize,
 }
 
 impl Body {

@@ -35,23 +35,23 @@ const KINDS: [PacketKind; 5] =
 /// The fields before the payload of a packet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct PacketHead {
-    pub(super) kind: PacketKind,
+    pub kind: PacketKind,
     /// Index of the mesh, image or part.
-    pub(super) index: u32,
+    pub index: u32,
     /// Length of the payload, bytes.
-    pub(super) length: usize,
+    pub length: usize,
     /// CRC-32 of the other fields and the payload.
     checksum: u32,
     /// Length of these fields, bytes.
-    pub(super) head_bytes: usize,
+    pub head_bytes: usize,
 }
 
 /// Version and length in the header of a stream.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Header {
-    pub(super) version: u8,
+    pub version: u8,
     /// Length of the whole stream, bytes.
-    pub(super) length: u64,
+    pub length: u64,
 }
 
 /// Appends the header of a stream of which the length is not known yet.

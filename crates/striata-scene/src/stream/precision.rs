@@ -25,9 +25,9 @@ const MAX_MORPH_BITS: u32 = 20;
 /// Options and scale of a mesh.
 #[derive(Clone, Debug)]
 pub(super) struct MeshPrecision {
-    pub(super) options: StreamOptions,
+    pub options: StreamOptions,
     /// Largest factor from mesh units to scene units; 0 if the scene does not show the mesh.
-    pub(super) scale: f64,
+    pub scale: f64,
 }
 
 /// Returns the options for each mesh.

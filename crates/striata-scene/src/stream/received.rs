@@ -13,20 +13,20 @@ use super::weights::normalize_weights;
 /// Everything that has been received after the document.
 #[derive(Clone, Debug)]
 pub(super) struct Received {
-    pub(super) head: SceneHead,
+    pub head: SceneHead,
     /// Length of the stream until the end of the document.
-    pub(super) document_end: u64,
+    pub document_end: u64,
     /// The streams of meshes; [`None`] for meshes that have that of another one.
-    pub(super) meshes: Vec<Option<ReceivedMesh>>,
-    pub(super) images: Vec<ImageData>,
-    pub(super) parts: [Option<Vec<u8>>; PART_COUNT],
+    pub meshes: Vec<Option<ReceivedMesh>>,
+    pub images: Vec<ImageData>,
+    pub parts: [Option<Vec<u8>>; PART_COUNT],
 }
 
 /// The stream of a mesh as far as it has been received, with its decoder.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ReceivedMesh {
-    pub(super) entry: MeshEntry,
-    pub(super) decoder: StreamDecoder,
+    pub entry: MeshEntry,
+    pub decoder: StreamDecoder,
     /// Bytes of the mesh's stream that have been received.
     bytes: u64,
     /// Whether the header of the mesh's stream agrees with the table.
@@ -36,9 +36,9 @@ pub(super) struct ReceivedMesh {
 /// Bytes that have been received of an image and of its preview.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ImageData {
-    pub(super) preview: Vec<u8>,
+    pub preview: Vec<u8>,
     /// The first bytes of the image.
-    pub(super) bytes: Vec<u8>,
+    pub bytes: Vec<u8>,
 }
 
 impl Received {

@@ -21,19 +21,19 @@ use std::ops::Range;
 #[derive(Clone, Debug, Default)]
 pub(super) struct MeshCosts {
     /// Length of each chunk after the base, bytes.
-    pub(super) bytes: Vec<u64>,
+    pub bytes: Vec<u64>,
     /// Error before each of these chunks, units of the scene; 0 after the last.
-    pub(super) errors: Vec<f64>,
+    pub errors: Vec<f64>,
 }
 
 /// Bytes and error of an item that is of no use in part.
 #[derive(Clone, Debug)]
 pub(super) struct WholeCosts {
-    pub(super) item: Item,
+    pub item: Item,
     /// Length, bytes.
-    pub(super) bytes: u64,
+    pub bytes: u64,
     /// Geometric error that would change the picture as much, units of the scene.
-    pub(super) error: f64,
+    pub error: f64,
 }
 
 /// Error that animations count as, as a share of the diagonal of the scene.

@@ -10,10 +10,10 @@ use super::{ImageInfo, TextureError};
 
 /// A decoded image.
 pub(super) struct DecodedImage {
-    pub(super) info: ImageInfo,
-    pub(super) pixels: Pixels,
+    pub info: ImageInfo,
+    pub pixels: Pixels,
     /// Whether any pixel is not opaque.
-    pub(super) has_alpha: bool,
+    pub has_alpha: bool,
 }
 
 /// Decodes an image to 8 bits per channel; 16 bits are rounded.

@@ -11,10 +11,10 @@ use super::srgb::{linear_of_bytes, srgb_byte};
 /// An image of 8-bit RGBA pixels.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Pixels {
-    pub(super) width: u32,
-    pub(super) height: u32,
+    pub width: u32,
+    pub height: u32,
     /// Four bytes per pixel, row by row.
-    pub(super) rgba: Vec<u8>,
+    pub rgba: Vec<u8>,
 }
 
 /// Returns the size of an image of which no side is longer than `max_side`, with the same aspect.

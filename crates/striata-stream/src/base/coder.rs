@@ -16,20 +16,20 @@ use crate::topology::surface::{NONE, SurfaceDefect};
 #[derive(Clone, Debug, Default)]
 pub(crate) struct BaseOrder {
     /// The writer's index of each position.
-    pub(crate) positions: Vec<u32>,
+    pub positions: Vec<u32>,
     /// The writer's index of each surface vertex, virtual ones first.
-    pub(crate) vertices: Vec<u32>,
+    pub vertices: Vec<u32>,
     /// For each triangle, the writer's corner (three per triangle) that is now its first corner.
-    pub(crate) corners: Vec<u32>,
+    pub corners: Vec<u32>,
 }
 
 /// Upper bounds on the size of a base mesh.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BaseLimits {
-    pub(crate) position_count: u32,
-    pub(crate) triangle_count: u32,
+    pub position_count: u32,
+    pub triangle_count: u32,
     /// Number of vertices beyond one per position.
-    pub(crate) extra_wedges: u32,
+    pub extra_wedges: u32,
 }
 
 /// A surface vertex that has been coded.

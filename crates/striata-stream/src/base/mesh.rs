@@ -7,21 +7,21 @@ use crate::topology::surface::{NONE, Surface, SurfaceDefect};
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Base {
     /// Number of virtual vertices, each of which closes a boundary loop.
-    pub(crate) virtual_count: u32,
+    pub virtual_count: u32,
     /// Position of each vertex that is not virtual; positions are numbered by first use.
-    pub(crate) position_of_copy: Vec<u32>,
+    pub position_of_copy: Vec<u32>,
     /// Triangles over surface vertices, virtual or not.
-    pub(crate) triangles: Vec<[u32; 3]>,
+    pub triangles: Vec<[u32; 3]>,
     /// For each corner (three per triangle), the corner across the edge that it faces.
-    pub(crate) opposite: Vec<u32>,
+    pub opposite: Vec<u32>,
     /// Grid coordinates of each position.
-    pub(crate) grid_points: Vec<[i32; 3]>,
+    pub grid_points: Vec<[i32; 3]>,
     /// First mesh vertex (wedge) of each position, followed by the number of mesh vertices.
-    pub(crate) first_vertex: Vec<u32>,
+    pub first_vertex: Vec<u32>,
     /// Mesh vertices of each triangle's corners; `NONE` in virtual triangles.
-    pub(crate) corner_vertices: Vec<[u32; 3]>,
+    pub corner_vertices: Vec<[u32; 3]>,
     /// Group of each triangle.
-    pub(crate) groups: Vec<u32>,
+    pub groups: Vec<u32>,
 }
 
 impl Base {

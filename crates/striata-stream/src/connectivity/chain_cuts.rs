@@ -26,11 +26,11 @@ pub(super) struct ChainCuts {
 #[derive(Clone, Copy)]
 pub(super) struct Edges<'a> {
     /// Corners around the vertex.
-    pub(super) corners: &'a [u32],
+    pub corners: &'a [u32],
     /// Neighbors of the vertex, one at the far end of each edge.
-    pub(super) neighbors: &'a [Neighbor],
+    pub neighbors: &'a [Neighbor],
     /// Grid coordinates of the vertex.
-    pub(super) position: [i32; 3],
+    pub position: [i32; 3],
 }
 
 /// An edge from the split vertex, and the triangle counterclockwise of it.

@@ -17,13 +17,13 @@ const LOG_ODDS_LIMIT: i32 = 2047;
 /// Data available when a flag is coded.
 pub(super) struct FlagContext {
     /// Values of the contexts.
-    pub(super) contexts: [usize; INPUTS - 1],
+    pub contexts: [usize; INPUTS - 1],
     /// An additional prediction.
-    pub(super) log_odds: i32,
+    pub log_odds: i32,
     /// Weight set of the mixer, below 32.
-    pub(super) weight_set: usize,
+    pub weight_set: usize,
     /// Context in which the mixed result is refined, below 64.
-    pub(super) map_context: usize,
+    pub map_context: usize,
 }
 
 /// Mixes the predictions of the contexts and an additional one.

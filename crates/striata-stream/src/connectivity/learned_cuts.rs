@@ -36,16 +36,16 @@ const MIN_HEIGHT: i32 = -512;
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Spoke {
     /// Vector to its far end; zeros if that is virtual.
-    pub(crate) step: [i32; 3],
+    pub step: [i32; 3],
     /// Number of triangles around its far end after all splits known so far.
-    pub(crate) valence: u8,
+    pub valence: u8,
     /// Four times the age of the far end in batches, up to 3, plus its state: not visited, stays, splits,
     /// new.
-    pub(crate) history: u8,
+    pub history: u8,
     /// Whether its far end is a virtual vertex, which closes a boundary loop.
-    pub(crate) is_virtual: bool,
+    pub is_virtual: bool,
     /// Whether the triangle may move to the new vertex.
-    pub(crate) is_free: bool,
+    pub is_free: bool,
 }
 
 /// Table keys of an edge and its triangle, and their scores.

@@ -15,13 +15,13 @@ const LAST_SHIFT: u32 = 7;
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Edge {
     /// Squared length.
-    pub(crate) square: i64,
+    pub square: i64,
     /// Six minus the number of triangles around its far end; 0 if that is virtual.
-    pub(crate) missing_triangles: i8,
+    pub missing_triangles: i8,
     /// Whether its far end is a virtual vertex, which closes a boundary loop.
-    pub(crate) is_virtual: bool,
+    pub is_virtual: bool,
     /// Whether the triangle may move to the new vertex.
-    pub(crate) is_free: bool,
+    pub is_free: bool,
 }
 
 /// Models of lengths and ranks.

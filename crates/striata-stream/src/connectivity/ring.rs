@@ -10,57 +10,57 @@ use crate::entropy::log2_q8;
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Spoke {
     /// Far end of the edge.
-    pub(super) vertex: u32,
+    pub vertex: u32,
     /// Whether the far end is virtual, which closes a boundary loop.
-    pub(super) is_virtual: bool,
+    pub is_virtual: bool,
     /// Whether another split has claimed the triangle.
-    pub(super) is_claimed: bool,
+    pub is_claimed: bool,
     /// Whether the triangle's angle at the vertex is obtuse.
-    pub(super) is_obtuse: bool,
+    pub is_obtuse: bool,
     /// State of the far end in this batch: 0 not visited, 1 stays, 2 splits, 3 new.
-    pub(super) state: u8,
+    pub state: u8,
     /// Age of the far end in batches, up to 3.
-    pub(super) age: u8,
+    pub age: u8,
     /// Number of triangles around the far end after all splits known so far.
-    pub(super) valence: u8,
+    pub valence: u8,
     /// Vector to the far end; zeros if that is virtual.
-    pub(super) step: [i32; 3],
+    pub step: [i32; 3],
     /// Area vector of the triangle, twice its area long; zeros if the triangle is virtual.
-    pub(super) normal: [i32; 3],
+    pub normal: [i32; 3],
     /// Length of the edge.
-    pub(super) length: i32,
+    pub length: i32,
     /// Twice the area of the triangle.
-    pub(super) area: i32,
+    pub area: i32,
     /// Distance of the next edge's far end from the plane of the triangle before this edge: a measure of
     /// curvature.
-    pub(super) height: i32,
+    pub height: i32,
     /// Tangent of the triangle's angle at the vertex.
-    pub(super) tangent: i32,
+    pub tangent: i32,
 }
 
 /// The ring of a vertex and its measures.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Ring {
     /// Edges and triangles, counterclockwise.
-    pub(super) spokes: Vec<Spoke>,
+    pub spokes: Vec<Spoke>,
     /// Number of neighbors in each state.
-    pub(super) states: [usize; 4],
+    pub states: [usize; 4],
     /// Number of neighbors created in the previous batch.
-    pub(super) young: usize,
+    pub young: usize,
     /// Number of triangles that may move to a new vertex.
-    pub(super) free: usize,
+    pub free: usize,
     /// Maximum number of consecutive triangles that may move to a new vertex.
-    pub(super) free_run: usize,
+    pub free_run: usize,
     /// Mean of the share of splits around the neighbors that have been visited, in 1/256.
-    pub(super) density: i32,
+    pub density: i32,
     /// Mean of the lengths.
-    pub(super) length: i32,
+    pub length: i32,
     /// Mean of the areas.
-    pub(super) area: i32,
+    pub area: i32,
     /// Mean of the heights.
-    pub(super) height: i32,
+    pub height: i32,
     /// Bitwise or of the magnitudes of all vector components, before the shift.
-    pub(super) magnitudes: u32,
+    pub magnitudes: u32,
     /// Number of bits by which the vectors were shifted down.
     shift: i32,
 }

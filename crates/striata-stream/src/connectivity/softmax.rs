@@ -53,9 +53,9 @@ pub(super) struct ChoiceModel {
 /// The candidates to choose from.
 pub(super) struct Candidates<'a> {
     /// Weight of each candidate, proportional to its probability.
-    pub(super) weights: &'a mut [u32],
+    pub weights: &'a mut [u32],
     /// Sum of the weights.
-    pub(super) total: u64,
+    pub total: u64,
 }
 
 impl ChoiceModel {

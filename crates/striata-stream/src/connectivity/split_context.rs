@@ -7,13 +7,13 @@ use crate::topology::surface::Surface;
 pub(crate) struct SplitContext<'a> {
     /// The surface after the splits of earlier stretches. Triangles that no other split of the batch may
     /// move are marked with the batch.
-    pub(crate) surface: &'a Surface,
+    pub surface: &'a Surface,
     /// Grid coordinates of all vertices; meaningless for virtual ones.
-    pub(crate) grid_points: &'a [[i32; 3]],
+    pub grid_points: &'a [[i32; 3]],
     /// Records which vertices of the batch have been visited, and which of these split.
-    pub(crate) walk: &'a Walk,
+    pub walk: &'a Walk,
     /// Maximum number of triangles that move to a new vertex.
-    pub(crate) max_patch: u32,
+    pub max_patch: u32,
 }
 
 impl SplitContext<'_> {

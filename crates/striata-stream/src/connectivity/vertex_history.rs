@@ -10,15 +10,15 @@ use crate::topology::surface::Surface;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct VertexHistory {
     /// Number of triangles around it after all splits known so far.
-    pub(super) valence: u8,
+    pub valence: u8,
     /// Number of them that may still move to a new vertex in this batch.
-    pub(super) free: u8,
+    pub free: u8,
     /// Number of neighbors that split in this batch.
-    pub(super) neighbor_splits: u8,
+    pub neighbor_splits: u8,
     /// Number of batches since it last split, up to 3.
-    pub(super) since_split: u8,
+    pub since_split: u8,
     /// Share of splits among recent flags around it, in 1/256; earlier flags weigh less.
-    pub(super) density: u8,
+    pub density: u8,
 }
 
 impl VertexHistory {

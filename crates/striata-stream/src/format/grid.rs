@@ -66,9 +66,9 @@ pub enum GridError {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Axis {
     /// Position of `q == 0`.
-    pub(crate) origin: f32,
+    pub origin: f32,
     /// Distance between neighboring points, above 0.
-    pub(crate) step: f64,
+    pub step: f64,
 }
 
 impl Axis {
@@ -158,11 +158,11 @@ fn float_step(x: f32) -> f64 {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PositionGrid {
     /// Position of grid point (0, 0, 0), mesh units.
-    pub(crate) origin: [f32; 3],
+    pub origin: [f32; 3],
     /// Distance between neighboring points along each axis, mesh units.
-    pub(crate) step: f64,
+    pub step: f64,
     /// Number of bits of a coordinate.
-    pub(crate) bits: u32,
+    pub bits: u32,
 }
 
 impl PositionGrid {

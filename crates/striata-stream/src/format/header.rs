@@ -61,48 +61,48 @@ pub(crate) fn min_chunk_bytes(splits: usize, base_triangles: usize) -> usize {
 /// Name and material of a group of triangles.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct GroupName {
-    pub(crate) name: String,
-    pub(crate) material: Option<u32>,
+    pub name: String,
+    pub material: Option<u32>,
 }
 
 /// Entry of the chunk table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ChunkEntry {
     /// Length of the chunk, bytes.
-    pub(crate) bytes: u32,
+    pub bytes: u32,
     /// Number of splits in this chunk and all chunks before it.
-    pub(crate) split_count: u32,
+    pub split_count: u32,
     /// Error of the level before this chunk, mesh units, rounded up.
-    pub(crate) error: f32,
+    pub error: f32,
     /// CRC-32 of the chunk's bytes.
-    pub(crate) checksum: u32,
+    pub checksum: u32,
 }
 
 /// The header of a stream: all that a reader knows before the first chunk.
 #[derive(Clone, Debug)]
 pub(crate) struct StreamHeader {
     /// Length of the header, bytes.
-    pub(crate) length: u64,
-    pub(crate) effort: Effort,
+    pub length: u64,
+    pub effort: Effort,
     /// Whether corrections are stored, so that positions are bit for bit the floats of the mesh.
-    pub(crate) is_exact: bool,
-    pub(crate) position_count: u32,
-    pub(crate) vertex_count: u32,
-    pub(crate) triangle_count: u32,
-    pub(crate) step_count: u32,
-    pub(crate) max_patch: u32,
+    pub is_exact: bool,
+    pub position_count: u32,
+    pub vertex_count: u32,
+    pub triangle_count: u32,
+    pub step_count: u32,
+    pub max_patch: u32,
     /// Whether the stream may contain general batches.
-    pub(crate) has_general: bool,
-    pub(crate) grid: PositionGrid,
+    pub has_general: bool,
+    pub grid: PositionGrid,
     /// Origin of all positions in the coordinates of the mesh's source, mesh units.
-    pub(crate) origin: [f64; 3],
-    pub(crate) layers: Vec<LayerForm>,
-    pub(crate) groups: Vec<GroupName>,
-    pub(crate) appearance: Appearance,
-    pub(crate) metadata: Vec<(String, String)>,
-    pub(crate) chunks: Vec<ChunkEntry>,
+    pub origin: [f64; 3],
+    pub layers: Vec<LayerForm>,
+    pub groups: Vec<GroupName>,
+    pub appearance: Appearance,
+    pub metadata: Vec<(String, String)>,
+    pub chunks: Vec<ChunkEntry>,
     /// Data of triangles, after the last chunk.
-    pub(crate) triangle_data: Option<TriangleData>,
+    pub triangle_data: Option<TriangleData>,
 }
 
 /// Returns the upper 16 bits of an error, rounded up.

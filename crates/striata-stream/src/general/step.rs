@@ -7,9 +7,9 @@ use std::ops::Range;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct NewTriangle {
     /// The third position.
-    pub(crate) third: u32,
+    pub third: u32,
     /// Whether the winding is (new, split, third) rather than (new, third, split).
-    pub(crate) is_forward: bool,
+    pub is_forward: bool,
 }
 
 impl NewTriangle {
@@ -23,33 +23,33 @@ impl NewTriangle {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ReferenceTriangle {
     /// Its third position and winding.
-    pub(crate) triangle: NewTriangle,
+    pub triangle: NewTriangle,
     /// Vertex of the input mesh at its corner at the new position.
-    pub(crate) wedge: u32,
+    pub wedge: u32,
     /// Vertices of the stream at its other corners: at the split position, and at the third.
-    pub(crate) others: [u32; 2],
+    pub others: [u32; 2],
     /// Its group.
-    pub(crate) group: u32,
+    pub group: u32,
 }
 
 /// A general step as the writer knows it.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ReferenceStep {
     /// The position that splits.
-    pub(crate) split: u32,
+    pub split: u32,
     /// Corners that move to the new position, in ascending order, each with its vertex of the input mesh
     /// after the step.
-    pub(crate) moved: Vec<(u32, u32)>,
+    pub moved: Vec<(u32, u32)>,
     /// Triangles that the step creates.
-    pub(crate) new_triangles: Vec<ReferenceTriangle>,
+    pub new_triangles: Vec<ReferenceTriangle>,
     /// Vertices of the input mesh at the new position.
-    pub(crate) wedges: Range<u32>,
+    pub wedges: Range<u32>,
     /// Vertex of the stream to which each of them collapses.
-    pub(crate) targets: Vec<u32>,
+    pub targets: Vec<u32>,
     /// Grid coordinates of the new position.
-    pub(crate) grid_point: [i32; 3],
+    pub grid_point: [i32; 3],
     /// Exact coordinates of the new position, mesh units.
-    pub(crate) exact: [f32; 3],
+    pub exact: [f32; 3],
 }
 
 impl ReferenceStep {
@@ -74,27 +74,27 @@ impl ReferenceStep {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct CodedStep {
     /// The position that splits.
-    pub(crate) split: u32,
+    pub split: u32,
     /// Corners that move to the new position, in the order of the complex.
-    pub(crate) moved: Vec<u32>,
+    pub moved: Vec<u32>,
     /// The corners in `moved`, sorted so that neighbors follow each other if possible.
-    pub(crate) fan: Vec<u32>,
+    pub fan: Vec<u32>,
     /// Triangles that the step creates.
-    pub(crate) new_triangles: Vec<NewTriangle>,
+    pub new_triangles: Vec<NewTriangle>,
     /// For each of them, its index among the writer's triangles.
-    pub(crate) reference_triangles: Vec<usize>,
+    pub reference_triangles: Vec<usize>,
     /// Grid coordinates of the new position.
-    pub(crate) grid_point: [i32; 3],
+    pub grid_point: [i32; 3],
     /// Vertex of the stream to which each wedge of the new position collapses.
-    pub(crate) targets: Vec<u32>,
+    pub targets: Vec<u32>,
     /// The writer's vertex of each wedge; meaningless for a reader.
-    pub(crate) reference_wedges: Vec<u32>,
+    pub reference_wedges: Vec<u32>,
     /// Wedge at each corner of the fan, then at the new corner of each new triangle.
-    pub(crate) wedges: Vec<u32>,
+    pub wedges: Vec<u32>,
     /// Vertices at the other two corners of each new triangle: at the split position, and at the third.
-    pub(crate) others: Vec<[u32; 2]>,
+    pub others: Vec<[u32; 2]>,
     /// Group of each new triangle.
-    pub(crate) groups: Vec<u32>,
+    pub groups: Vec<u32>,
 }
 
 impl CodedStep {

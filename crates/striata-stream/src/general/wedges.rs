@@ -21,11 +21,11 @@ const CODED_SINGLY: usize = 3;
 /// The level before a step.
 pub(super) struct LevelBefore<'a> {
     /// The triangles over positions.
-    pub(super) complex: &'a Complex,
+    pub complex: &'a Complex,
     /// The triangles over vertices.
-    pub(super) growth: &'a GrowingMesh,
+    pub growth: &'a GrowingMesh,
     /// Maximum number of wedges of the new position beyond the first.
-    pub(super) max_extra_wedges: u64,
+    pub max_extra_wedges: u64,
 }
 
 /// Models of wedges and groups in general steps.

@@ -44,42 +44,42 @@ const MOST_CORNERS: usize = 24;
 #[derive(Clone, Copy)]
 pub(crate) struct AttributeContext<'a> {
     /// The surface, including the split.
-    pub(crate) surface: &'a Surface,
+    pub surface: &'a Surface,
     /// The mesh without the new position.
-    pub(crate) growth: &'a GrowingMesh,
+    pub growth: &'a GrowingMesh,
     /// Grid coordinates of each vertex of the surface.
-    pub(crate) grid_points: &'a [[i32; 3]],
+    pub grid_points: &'a [[i32; 3]],
     /// Corners at the position, starting with the one in A and ending with the one in B.
-    pub(crate) corners: &'a [u32],
+    pub corners: &'a [u32],
     /// Wedges that the corners refer to, unless each position has exactly one vertex.
-    pub(crate) split_wedges: Option<&'a SplitWedges>,
+    pub split_wedges: Option<&'a SplitWedges>,
 }
 
 /// A vertex next to the current one, with its grid coordinates.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RingVertex {
-    pub(crate) vertex: u32,
-    pub(crate) grid_point: [i32; 3],
+    pub vertex: u32,
+    pub grid_point: [i32; 3],
 }
 
 /// A vertex that a general step adds.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct GeneralVertex {
     /// Vertices that share triangles with it.
-    pub(crate) ring: Vec<RingVertex>,
+    pub ring: Vec<RingVertex>,
     /// The vertex that it collapses to.
-    pub(crate) target: u32,
+    pub target: u32,
 }
 
 /// A vertex of a new position.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct NewVertex {
     /// Grid coordinates of the position.
-    pub(crate) grid_point: [i32; 3],
+    pub grid_point: [i32; 3],
     /// Index of the vertex within the position.
-    pub(crate) wedge: u32,
+    pub wedge: u32,
     /// The vertex that it collapses to.
-    pub(crate) target: u32,
+    pub target: u32,
 }
 
 /// A writer's data: all layers, and the index of the current vertex in them.

@@ -87,14 +87,14 @@ pub(crate) enum Transform {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct LayerForm {
     /// Meaning of the layer.
-    pub(crate) semantic: Semantic,
+    pub semantic: Semantic,
     /// Number of components per vertex.
-    pub(crate) component_count: u8,
-    pub(crate) normalized: bool,
+    pub component_count: u8,
+    pub normalized: bool,
     /// Data type of the numbers.
-    pub(crate) number_type: NumberType,
+    pub number_type: NumberType,
     /// Conversion between numbers and integers.
-    pub(crate) transform: Transform,
+    pub transform: Transform,
 }
 
 impl LayerForm {

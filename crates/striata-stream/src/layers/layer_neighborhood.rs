@@ -11,21 +11,21 @@ pub(crate) const BASE_KIND: usize = 3;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LayerNeighborhood<'a> {
     /// The vertex that it collapses to, or any nearby vertex; `None` for the very first vertex.
-    pub(crate) target: Option<u32>,
+    pub target: Option<u32>,
     /// Vertices that share triangles with it, in ring order.
-    pub(crate) ring: &'a [u32],
+    pub ring: &'a [u32],
     /// Affine fit to the positions of the ring.
-    pub(crate) fit: &'a RingFit,
+    pub fit: &'a RingFit,
     /// Number of preceding vertices at the same position.
-    pub(crate) sibling_count: u32,
+    pub sibling_count: u32,
     /// Target of the preceding vertex at the same position.
-    pub(crate) sibling_target: Option<u32>,
+    pub sibling_target: Option<u32>,
     /// Ring of the whole position, if it has several vertices.
-    pub(crate) whole: Option<(&'a [u32], &'a RingFit)>,
+    pub whole: Option<(&'a [u32], &'a RingFit)>,
     /// Whether no triangle refers to the vertex yet. Its ring is then that of the whole position.
-    pub(crate) is_hidden: bool,
+    pub is_hidden: bool,
     /// Whether it belongs to the base mesh, where the ring contains only vertices that were coded before it.
-    pub(crate) is_base: bool,
+    pub is_base: bool,
 }
 
 impl<'a> LayerNeighborhood<'a> {

@@ -26,9 +26,9 @@ const SIGNED_BUCKETS: usize = 1 + 2 * BUCKETS_PER_SIGN;
 pub(crate) struct Expected {
     /// Scales of the spread of surrounding values, of the conflict between predictions, of the
     /// surrounding residuals, and of one more quantity.
-    pub(crate) scales: [usize; 4],
+    pub scales: [usize; 4],
     /// Differences of other predictions from the one in use.
-    pub(crate) others: [i64; 3],
+    pub others: [i64; 3],
 }
 
 /// Codes the residuals of predictions.

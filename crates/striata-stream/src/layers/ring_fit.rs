@@ -21,13 +21,13 @@ const MOST: usize = 24;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct RingFit {
     /// Weight of each ring vertex, in 1/65536; they sum to approximately one.
-    pub(crate) weights: Vec<i32>,
+    pub weights: Vec<i32>,
     /// Area-weighted sum of the normals of the triangles between center and ring; zero if there are none.
-    pub(crate) normal: [i64; 3],
+    pub normal: [i64; 3],
     /// Vector from the center to each ring vertex; all are halved until they fit in 12 bits.
-    pub(crate) arms: Vec<[i64; 3]>,
+    pub arms: Vec<[i64; 3]>,
     /// Whether the last and the first vertex of the ring share a triangle.
-    pub(crate) is_closed: bool,
+    pub is_closed: bool,
     differences: Vec<[i64; 3]>,
 }
 

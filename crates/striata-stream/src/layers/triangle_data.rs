@@ -18,11 +18,11 @@ const MAX_NUMBERS_PER_BYTE: u64 = 256;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct TriangleData {
     /// Kinds of the layers; all are exact.
-    pub(crate) forms: Vec<LayerForm>,
+    pub forms: Vec<LayerForm>,
     /// Number of bytes after the last chunk.
-    pub(crate) bytes: u32,
+    pub bytes: u32,
     /// CRC-32 of these bytes.
-    pub(crate) checksum: u32,
+    pub checksum: u32,
 }
 
 /// Codes the layers of the triangles of a mesh whose vertices are in the order of the stream.

@@ -19,11 +19,11 @@ pub(crate) type KnownCoords = [i32; 4];
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Surroundings {
     /// Length of both lists.
-    pub(crate) count: usize,
+    pub count: usize,
     /// Ring vertices.
-    pub(crate) ring: [KnownCoords; LANES],
+    pub ring: [KnownCoords; LANES],
     /// Vertices across the ring edges.
-    pub(crate) across: [KnownCoords; LANES],
+    pub across: [KnownCoords; LANES],
 }
 
 /// Number of points that a prediction blends: the mean of parallelograms across ring edges, the vertex
@@ -42,17 +42,17 @@ pub(super) struct Prediction {
     up: u32,
     down: u32,
     /// Size class of the ring's radius, two for each doubling.
-    pub(super) size: usize,
+    pub size: usize,
     /// Radius of the ring, in local units.
-    pub(super) radius: i32,
+    pub radius: i32,
     /// Number of ring vertices.
-    pub(super) count: usize,
+    pub count: usize,
     /// Axes from the most tangential to the most normal, and how the surface rises along the last one
     /// over each of the others, in 1/4096.
-    pub(super) axes: [usize; 3],
-    pub(super) slopes: [i32; 2],
+    pub axes: [usize; 3],
+    pub slopes: [i32; 2],
     /// For each axis, the distances of the blended points from the center of the ring, in local units.
-    pub(super) features: [[i32; POINTS]; 3],
+    pub features: [[i32; POINTS]; 3],
 }
 
 /// Limit of local coordinates.

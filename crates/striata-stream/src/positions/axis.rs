@@ -16,28 +16,28 @@ pub(super) const SPREADS: usize = 32;
 /// Everything that a coordinate's model may use.
 pub(super) struct Axis<'a, const KINDS: usize, const WIDTHS: usize> {
     /// The surroundings of the vertex.
-    pub(super) local: &'a LocalRing,
+    pub local: &'a LocalRing,
     /// Index of the axis.
-    pub(super) axis: usize,
+    pub axis: usize,
     /// Density of each kind of guess.
-    pub(super) bumps: &'a [Bumps],
+    pub bumps: &'a [Bumps],
     /// Widths of the bumps.
-    pub(super) widths: [Width; WIDTHS],
+    pub widths: [Width; WIDTHS],
     /// The expected grid coordinate.
-    pub(super) center: i32,
+    pub center: i32,
     /// Whether adaptive counters use this axis in reverse. The axis is reversed if needed so that for the
     /// counters the vertex that split (on the last axis: the outside) always lies in the positive direction.
-    pub(super) is_mirrored: bool,
+    pub is_mirrored: bool,
     /// Whether this is the axis along the normal, on which little uncertainty remains.
-    pub(super) is_last: bool,
+    pub is_last: bool,
     /// Size class of the surroundings, below [`SIZES`].
-    pub(super) size: usize,
+    pub size: usize,
     /// Class of valence and recent errors, below [`CONTEXTS`].
-    pub(super) context: usize,
+    pub context: usize,
     /// Class of the distance between the vertex that split and the expected position, below [`DISTANCES`].
-    pub(super) distance: usize,
+    pub distance: usize,
     /// Class of how much the guesses disagree, below [`SPREADS`].
-    pub(super) spread: usize,
+    pub spread: usize,
 }
 
 /// Mass of each density, by kind of guess and width.

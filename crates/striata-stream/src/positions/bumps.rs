@@ -8,9 +8,9 @@ use super::local::LANES;
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Bumps {
     /// Centers, in local units.
-    pub(super) at: [i16; LANES],
+    pub at: [i16; LANES],
     /// Weights, up to 2^14.
-    pub(super) weight: [i16; LANES],
+    pub weight: [i16; LANES],
 }
 
 /// Extent of bumps to either side of their center.

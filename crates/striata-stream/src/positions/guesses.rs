@@ -34,9 +34,9 @@ pub(super) const TURNED: usize = 5;
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Guesses {
     /// Coordinates by axis.
-    pub(super) at: [[i16; LANES]; 3],
+    pub at: [[i16; LANES]; 3],
     /// Number of lanes in use.
-    pub(super) count: usize,
+    pub count: usize,
 }
 
 impl Guesses {

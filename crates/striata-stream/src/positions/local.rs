@@ -18,26 +18,26 @@ pub(super) type Point = [i32; 3];
 #[derive(Clone, Debug, Default)]
 pub(super) struct LocalRing {
     /// Grid coordinates of the ring's center, the local origin.
-    pub(super) origin: [i32; 3],
+    pub origin: [i32; 3],
     /// Local units are grid units times 2 to this power, which is at least -16.
-    pub(super) shift: i32,
+    pub shift: i32,
     /// Scale of local units as a factor, in 1/65536.
-    pub(super) factor: i64,
+    pub factor: i64,
     /// Root mean square distance of the ring from its center, in local units: 1024 to 2047.
-    pub(super) radius: i32,
+    pub radius: i32,
     /// Vertices of the ring.
-    pub(super) ids: [u32; LANES],
+    pub ids: [u32; LANES],
     /// Their positions; `None` for virtual vertices.
-    pub(super) ring: [Option<Point>; LANES],
+    pub ring: [Option<Point>; LANES],
     /// The vertex across each ring edge, if it is known.
-    pub(super) apexes: [Option<Point>; LANES],
+    pub apexes: [Option<Point>; LANES],
     /// The vertices beyond each apex: across its edge with the ring vertex, and across its edge with the
     /// next ring vertex.
-    pub(super) beyond: [[Option<Point>; 2]; LANES],
+    pub beyond: [[Option<Point>; 2]; LANES],
     /// Whether the triangle beyond the first of these edges is the one of the previous apex.
-    pub(super) is_narrow: [bool; LANES],
+    pub is_narrow: [bool; LANES],
     /// Number of entries in these lists.
-    pub(super) count: usize,
+    pub count: usize,
 }
 
 impl LocalRing {

@@ -25,7 +25,7 @@ pub(super) struct MixedModel<const USED: usize, const DENSITIES: usize, const WI
     /// By direction (along or across the surface) and valence.
     blends: [[Blend<FEATURES>; 4]; 2],
     /// Error class of each vertex, along the surface and across it.
-    pub(super) errors: Vec<[u8; 2]>,
+    pub errors: Vec<[u8; 2]>,
 }
 
 impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCoder<DENSITIES, WIDTHS>>

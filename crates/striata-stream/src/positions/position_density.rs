@@ -27,7 +27,7 @@ pub(super) const INVERSES: [i32; LANES + 1] = [0, 4096, 2048, 1365, 1024, 819, 6
 #[derive(Clone, Debug)]
 pub(super) struct PositionDensity<const USED: usize> {
     /// The surroundings of the vertex.
-    pub(super) local: LocalRing,
+    pub local: LocalRing,
     guesses: [Guesses; KINDS],
     bumps: [Bumps; USED],
     is_last: bool,

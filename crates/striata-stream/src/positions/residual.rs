@@ -19,11 +19,11 @@ const LAST_SHIFT: u32 = 7;
 #[derive(Clone, Copy)]
 pub(super) struct ResidualContext {
     /// Size class of the surroundings.
-    pub(super) size: usize,
+    pub size: usize,
     /// Class of how much predictions disagree.
-    pub(super) spread: usize,
+    pub spread: usize,
     /// Number of lowest bits that are noise.
-    pub(super) noise: u32,
+    pub noise: u32,
 }
 
 /// Codes residuals along an axis.

@@ -16,21 +16,21 @@ use crate::wedges::split::SplitWedges;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct GrowingMesh {
     /// Positions of the vertices, in mesh units.
-    pub(crate) positions: Vec<[f32; 3]>,
+    pub positions: Vec<[f32; 3]>,
     /// Corners of each triangle of the level, in coding order, as of the last [`catch_up`](Self::catch_up).
-    pub(crate) triangles: Vec<[u32; 3]>,
+    pub triangles: Vec<[u32; 3]>,
     /// Group of each triangle, if there are several groups.
-    pub(crate) groups: Vec<u32>,
+    pub groups: Vec<u32>,
     /// Number of groups in the mesh.
-    pub(crate) group_count: u32,
+    pub group_count: u32,
     /// The vertex that each vertex beyond the base collapses to.
-    pub(crate) targets: Vec<u32>,
+    pub targets: Vec<u32>,
     /// Number of triangles that each step adds.
-    pub(crate) added: Vec<u8>,
+    pub added: Vec<u8>,
     /// Triangles whose corners the latest steps changed, possibly with repetitions.
-    pub(crate) changed: Vec<u32>,
+    pub changed: Vec<u32>,
     /// First vertex of each position, followed by the vertex count.
-    pub(crate) first_vertex: Vec<u32>,
+    pub first_vertex: Vec<u32>,
     /// Number of triangles of general steps in excess of two per step.
     excess_triangles: usize,
     /// Position of each vertex of the surface; [`NONE`] for virtual vertices.

@@ -42,17 +42,17 @@ impl Connectivity {
 #[derive(Clone, Debug)]
 pub(crate) struct Models {
     /// Connectivity: which vertices split, and how.
-    pub(crate) connectivity: Connectivity,
+    pub connectivity: Connectivity,
     /// Grid coordinates of new vertices.
-    pub(crate) positions: PositionModel,
+    pub positions: PositionModel,
     /// Differences between exact positions and the grid, if positions are lossless.
-    pub(crate) corrections: Option<CorrectionModel>,
+    pub corrections: Option<CorrectionModel>,
     /// Vertices that corners refer to, if some position has several vertices or the mesh has several groups.
-    pub(crate) wedges: Option<WedgeModel>,
+    pub wedges: Option<WedgeModel>,
     /// Attribute layers, if there are any.
-    pub(crate) attributes: Option<Attributes>,
+    pub attributes: Option<Attributes>,
     /// General batches, if there are any.
-    pub(crate) general: Option<GeneralBatches>,
+    pub general: Option<GeneralBatches>,
 }
 
 impl Models {

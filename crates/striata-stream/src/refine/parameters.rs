@@ -10,25 +10,25 @@ use crate::layers::form::LayerForm;
 #[derive(Clone, Debug)]
 pub(crate) struct StreamParameters {
     /// Whether the stream has general batches.
-    pub(crate) has_general: bool,
+    pub has_general: bool,
     /// Trade-off between speed and size.
-    pub(crate) effort: Effort,
+    pub effort: Effort,
     /// The grid that positions are quantized to.
-    pub(crate) grid: PositionGrid,
+    pub grid: PositionGrid,
     /// Whether the stream also stores exact positions.
-    pub(crate) is_exact: bool,
+    pub is_exact: bool,
     /// Maximum number of triangles that move to a new vertex.
-    pub(crate) max_patch: u32,
+    pub max_patch: u32,
     /// Number of positions in the full mesh.
-    pub(crate) position_count: u32,
+    pub position_count: u32,
     /// Limits on the size of the base mesh.
-    pub(crate) base: BaseLimits,
+    pub base: BaseLimits,
     /// Number of vertices in the full mesh.
-    pub(crate) vertex_count: u32,
+    pub vertex_count: u32,
     /// Number of groups in the full mesh.
-    pub(crate) group_count: u32,
+    pub group_count: u32,
     /// How attribute layers are stored.
-    pub(crate) layers: Vec<LayerForm>,
+    pub layers: Vec<LayerForm>,
 }
 
 impl StreamParameters {

@@ -11,48 +11,48 @@ use crate::wedges::split::SplitWedges;
 #[derive(Clone, Debug)]
 pub(crate) struct Level {
     /// The surface, including all splits done so far.
-    pub(crate) surface: Surface,
+    pub surface: Surface,
     /// Grid coordinates of each vertex of the surface.
-    pub(crate) grid_points: Vec<[i32; 3]>,
+    pub grid_points: Vec<[i32; 3]>,
     /// The grid that these coordinates refer to.
-    pub(crate) grid: PositionGrid,
+    pub grid: PositionGrid,
     /// The mesh that the surface represents.
-    pub(crate) growth: GrowingMesh,
+    pub growth: GrowingMesh,
 }
 
 /// Progress within the current batch.
 #[derive(Clone, Debug)]
 pub(crate) struct Batch {
     /// The order in which vertices are visited.
-    pub(crate) walk: Walk,
+    pub walk: Walk,
     /// Whether vertices of the batch remain to be visited.
-    pub(crate) is_under_way: bool,
+    pub is_under_way: bool,
     /// Number of splits so far.
-    pub(crate) split_count: usize,
+    pub split_count: usize,
 }
 
 /// Limits that a stream must respect.
 #[derive(Clone, Debug)]
 pub(crate) struct Limits {
     /// Maximum number of triangles that move to a new vertex.
-    pub(crate) max_patch: u32,
+    pub max_patch: u32,
     /// Number of vertex visits that are still allowed.
-    pub(crate) visits_left: u64,
+    pub visits_left: u64,
     /// Maximum number of vertices in excess of one per position. In a reader, the number of bytes limits it.
-    pub(crate) most_wedges: u64,
+    pub most_wedges: u64,
 }
 
 /// A run of splits within a batch. The connectivity of all of them is coded first, then the values of each.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Stretch {
     /// Corners of the patches of all splits, stored consecutively.
-    pub(crate) patches: Vec<u32>,
+    pub patches: Vec<u32>,
     /// End of each split's patch in that list.
-    pub(crate) ends: Vec<u32>,
+    pub ends: Vec<u32>,
     /// Corners around the vertex being visited, or around the new vertex.
-    pub(crate) corners: Vec<u32>,
+    pub corners: Vec<u32>,
     /// Vertices that those corners refer to.
-    pub(crate) shown: SplitWedges,
+    pub shown: SplitWedges,
 }
 
 impl Level {

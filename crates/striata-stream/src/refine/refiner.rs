@@ -40,13 +40,13 @@ pub(crate) enum CodingResult {
 #[derive(Clone, Debug)]
 pub(crate) struct MeshRefiner {
     /// The mesh and surface refined so far.
-    pub(crate) level: Level,
+    pub level: Level,
     /// The adaptive models.
-    pub(crate) models: Models,
+    pub models: Models,
     /// Progress within the current batch.
-    pub(crate) batch: Batch,
+    pub batch: Batch,
     /// Limits that the stream must respect.
-    pub(crate) limits: Limits,
+    pub limits: Limits,
     /// The splits that are currently being coded.
     pub(super) stretch: Stretch,
 }

@@ -13,13 +13,13 @@ use crate::topology::surface::{NONE, Surface, edge_facing, half_edges, is_forwar
 pub(crate) struct Closed {
     /// The closed surface. Virtual vertices come first, then the copies: copy `i` is vertex
     /// `virtual_count + i`. Its first triangles are those of the mesh, in their original order.
-    pub(crate) surface: Surface,
+    pub surface: Surface,
     /// The mesh vertex that each copy represents. The first copies are the used vertices, in their
     /// original order.
-    pub(crate) vertex_of_copy: Vec<u32>,
+    pub vertex_of_copy: Vec<u32>,
     /// Whether each mesh vertex must not be removed: it has several copies, or lies on a cut edge that is
     /// not a boundary.
-    pub(crate) is_locked: Vec<bool>,
+    pub is_locked: Vec<bool>,
 }
 
 /// Closes a mesh. Each triangle must have three different corners, and every vertex must be used.

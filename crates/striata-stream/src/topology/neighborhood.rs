@@ -5,15 +5,15 @@ use crate::topology::surface::Surface;
 /// The neighborhood of a new vertex.
 pub(crate) struct Neighborhood<'a> {
     /// The surface after all splits of this stretch.
-    pub(crate) surface: &'a Surface,
+    pub surface: &'a Surface,
     /// Grid coordinates of the vertices below `vertex`; later entries are meaningless. Virtual vertices
     /// have none.
-    pub(crate) coords: &'a [[i32; 3]],
+    pub coords: &'a [[i32; 3]],
     /// Index of the new vertex.
-    pub(crate) vertex: u32,
+    pub vertex: u32,
     /// Corners at the vertex, counterclockwise: first the one in triangle A, whose next vertex is the
     /// one that split, then those of the patch, and last the one in triangle B.
-    pub(crate) corners: &'a [u32],
+    pub corners: &'a [u32],
 }
 
 impl Neighborhood<'_> {

@@ -24,9 +24,9 @@ pub(crate) struct Rings {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Neighbor {
     /// Index of the vertex.
-    pub(crate) vertex: u32,
+    pub vertex: u32,
     /// Its grid coordinates.
-    pub(crate) grid_point: [i32; 3],
+    pub grid_point: [i32; 3],
 }
 
 impl Rings {

@@ -27,20 +27,20 @@ struct Corner {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Cut {
     /// Corner of the first of these triangles at the vertex that splits.
-    pub(crate) first: u32,
+    pub first: u32,
     /// Number of triangles, counterclockwise.
-    pub(crate) length: u32,
+    pub length: u32,
 }
 
 /// Record of a collapse, for undoing it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Undo {
     /// The vertex that remains.
-    pub(crate) kept: u32,
+    pub kept: u32,
     /// The run of triangles that moved to it.
-    pub(crate) cut: Cut,
+    pub cut: Cut,
     /// Corners of the removed vertex in the two removed triangles, A and B.
-    pub(crate) removed_corners: [u32; 2],
+    pub removed_corners: [u32; 2],
 }
 
 /// Returns the next corner of the triangle, counterclockwise.

@@ -80,13 +80,13 @@ const VALUE_KINDS: usize = ValueKind::BaseGroup as usize + 1;
 
 /// Everything that is known about a split when its wedges are coded.
 pub(crate) struct WedgeContext<'a, S> {
-    pub(crate) surface: &'a Surface,
-    pub(crate) growth: &'a GrowingMesh,
+    pub surface: &'a Surface,
+    pub growth: &'a GrowingMesh,
     /// Corners at the new position, starting with the one in A and ending with the one in B.
-    pub(crate) corners: &'a [u32],
-    pub(crate) source: &'a S,
+    pub corners: &'a [u32],
+    pub source: &'a S,
     /// Maximum number of vertices of the position in excess of one, as limited by a reader's bytes.
-    pub(crate) most_beyond: u64,
+    pub most_beyond: u64,
 }
 
 impl<S: Source> WedgeContext<'_, S> {

@@ -4,16 +4,16 @@
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SplitWedges {
     /// The vertex that each wedge of the new position collapses to.
-    pub(crate) targets: Vec<u32>,
+    pub targets: Vec<u32>,
     /// Wedge of each corner at the new position, in the order of the corners;
     /// [`NONE`](crate::topology::surface::NONE) in virtual triangles.
-    pub(crate) wedges: Vec<u32>,
+    pub wedges: Vec<u32>,
     /// Vertices of the corners of A and B at the kept position.
-    pub(crate) kept: [u32; 2],
+    pub kept: [u32; 2],
     /// Vertices of the corners of A and B at the ends of the ring.
-    pub(crate) ends: [u32; 2],
+    pub ends: [u32; 2],
     /// Groups of A and B.
-    pub(crate) groups: [u32; 2],
+    pub groups: [u32; 2],
     /// The source mesh's vertex of each wedge; only meaningful in a writer.
-    pub(crate) source_vertices: Vec<u32>,
+    pub source_vertices: Vec<u32>,
 }

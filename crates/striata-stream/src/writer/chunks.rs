@@ -24,28 +24,28 @@ const FIRST_SPLITS: usize = 256;
 #[derive(Clone, Debug)]
 pub(crate) struct Chunk {
     /// Range-coded data.
-    pub(crate) bytes: Vec<u8>,
+    pub bytes: Vec<u8>,
     /// Number of splits up to the end of this chunk.
-    pub(crate) split_count: u32,
+    pub split_count: u32,
 }
 
 /// All chunks of a mesh.
 #[derive(Clone, Debug)]
 pub(crate) struct Chunks {
     /// The first chunk contains the base, the others splits.
-    pub(crate) chunks: Vec<Chunk>,
+    pub chunks: Vec<Chunk>,
     /// Maximum number of triangles that move to a new vertex.
-    pub(crate) max_patch: u32,
+    pub max_patch: u32,
     /// Whether the stream has general batches.
-    pub(crate) has_general: bool,
+    pub has_general: bool,
     /// Steps of the sequence, in stream order.
-    pub(crate) order: Vec<u32>,
+    pub order: Vec<u32>,
     /// Positions of the base, in stream order.
-    pub(crate) base_positions: Vec<u32>,
+    pub base_positions: Vec<u32>,
     /// Vertices of the mesh, in stream order; empty if each position has one vertex.
-    pub(crate) source_vertex: Vec<u32>,
+    pub source_vertex: Vec<u32>,
     /// Bits spent on each part, in the order of [`Part`](crate::entropy::Part).
-    pub(crate) spent: [f64; PART_COUNT],
+    pub spent: [f64; PART_COUNT],
 }
 
 /// Encodes a sequence after its descent to the base.

@@ -25,11 +25,11 @@ pub(crate) enum Stage {
 #[derive(Debug)]
 pub(crate) struct Descent {
     /// Stages from coarse to fine. The first one is a surface stage that ends with the base.
-    pub(crate) stages: Vec<Stage>,
+    pub stages: Vec<Stage>,
     /// Vertices of each triangle's corners at the coarsest level that contains the triangle.
-    pub(crate) shown: Vec<[u32; 3]>,
+    pub shown: Vec<[u32; 3]>,
     /// Upper bound on a reader's work for each batch, in visited vertices and triangles.
-    pub(crate) visits: Vec<u64>,
+    pub visits: Vec<u64>,
 }
 
 /// Result of one attempt.

@@ -12,7 +12,7 @@ use crate::writer::level::LevelTriangles;
 #[derive(Clone, Debug)]
 pub(crate) struct GeneralUndo {
     /// The position that the step's position collapsed to.
-    pub(crate) target: u32,
+    pub target: u32,
     moved: Range<u32>,
     removed: Range<u32>,
 }
@@ -22,7 +22,7 @@ pub(crate) struct GeneralUndo {
 pub(crate) struct GeneralStage {
     first_step: u32,
     /// Indices of the steps in the sequence, coarse to fine.
-    pub(crate) steps: Vec<u32>,
+    pub steps: Vec<u32>,
     undo: Vec<GeneralUndo>,
     /// Corners that moved to the target, as `3 triangle + corner`, and their vertices before.
     moved: Vec<(u32, u32)>,
@@ -31,7 +31,7 @@ pub(crate) struct GeneralStage {
     thirds: Vec<u32>,
     first_position: u32,
     /// Number of corners that a reader visits around positions.
-    pub(crate) visits: u64,
+    pub visits: u64,
 }
 
 /// Corners of triangles by position, as linked lists that may contain removed triangles.

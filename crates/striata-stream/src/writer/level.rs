@@ -9,9 +9,9 @@ use crate::writer::defect::BatchDefect;
 #[derive(Debug)]
 pub(crate) struct LevelTriangles {
     /// Indices of the triangles that exist, ascending.
-    pub(crate) alive: Vec<u32>,
+    pub alive: Vec<u32>,
     /// Vertices of each triangle of the mesh; for removed triangles, the last ones they had.
-    pub(crate) shown: Vec<[u32; 3]>,
+    pub shown: Vec<[u32; 3]>,
 }
 
 impl LevelTriangles {

@@ -17,11 +17,11 @@ use crate::writer::surface_stage::SurfaceStage;
 /// Positions and attributes of the mesh to encode.
 pub(crate) struct VertexData {
     /// Grid coordinates of each position.
-    pub(crate) coords: Vec<[i32; 3]>,
+    pub coords: Vec<[i32; 3]>,
     /// Exact coordinates of each position, in mesh units.
-    pub(crate) exact: Vec<[f32; 3]>,
+    pub exact: Vec<[f32; 3]>,
     /// Integers of all vertices, layer by layer.
-    pub(crate) layers: Vec<LayerValues>,
+    pub layers: Vec<LayerValues>,
 }
 
 /// A triangle of the reader, as a rotated triangle of the mesh.
@@ -89,11 +89,11 @@ pub(crate) struct ReferenceMesh<'a> {
     /// The stream's vertex for each vertex of the mesh, if it already has one.
     vertex_of: Vec<u32>,
     /// The mesh's vertex for each vertex of the stream so far.
-    pub(crate) source_vertex: Vec<u32>,
+    pub source_vertex: Vec<u32>,
     /// Positions of the base, in stream order.
-    pub(crate) base_positions: Vec<u32>,
+    pub base_positions: Vec<u32>,
     /// Steps, in stream order.
-    pub(crate) order: Vec<u32>,
+    pub order: Vec<u32>,
 }
 
 /// Returns the base in the writer's order, and the data for encoding the steps above it.

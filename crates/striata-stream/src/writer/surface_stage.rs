@@ -13,9 +13,9 @@ use crate::writer::level::{LevelTriangles, close_level};
 #[derive(Debug)]
 pub(crate) struct SurfaceStage {
     /// The surface at the coarse end. Its triangles and vertices keep the numbering of the fine end.
-    pub(crate) surface: Surface,
+    pub surface: Surface,
     /// Position of each vertex that is not virtual.
-    pub(crate) position_of_copy: Vec<u32>,
+    pub position_of_copy: Vec<u32>,
     /// Number of copies that are the first of their position. They precede the other copies and are in
     /// ascending order.
     first_copy_count: usize,
@@ -24,9 +24,9 @@ pub(crate) struct SurfaceStage {
     /// For each vertex, the last batch, counted from 1, in which another vertex collapsed to it.
     kept_in: Vec<u32>,
     /// The mesh's triangle for each triangle that is not virtual.
-    pub(crate) triangles: Vec<u32>,
+    pub triangles: Vec<u32>,
     /// The collapses. They are in coarse to fine order after [`Self::finish`], and so are the lists below.
-    pub(crate) undo: Vec<Undo>,
+    pub undo: Vec<Undo>,
     /// Vertices of the corners of each patch before its collapse, stored consecutively; only if corners
     /// are tracked.
     patches: Vec<u32>,
@@ -34,7 +34,7 @@ pub(crate) struct SurfaceStage {
     /// Range of the batches in this stage.
     batches: Range<usize>,
     /// First step of the sequence in this stage.
-    pub(crate) first_step: u32,
+    pub first_step: u32,
     tracks_corners: bool,
 }
 

@@ -13,16 +13,16 @@ use super::source::{Block, BlockTriangle};
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct OpenSides {
     /// Directed sides, with the vertex indices of the whole mesh.
-    pub(super) sides: Vec<(u32, u32)>,
+    pub sides: Vec<(u32, u32)>,
     /// Last block that can contain a triangle next to one of them.
-    pub(super) expiry: u32,
+    pub expiry: u32,
 }
 
 /// Open end of a chain: its triangle and the open sides of that triangle.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct OpenEnd {
-    pub(super) triangle: BlockTriangle,
-    pub(super) open: OpenSides,
+    pub triangle: BlockTriangle,
+    pub open: OpenSides,
 }
 
 /// Strip that waits for a later block.
@@ -70,9 +70,9 @@ impl PendingStrip {
 /// Strip that is adjacent to a block.
 #[derive(Debug)]
 pub(super) struct TouchedStrip {
-    pub(super) strip: PendingStrip,
+    pub strip: PendingStrip,
     /// For a chain, the sides of its end triangles that the block touches.
-    pub(super) touched_sides: [Vec<(u32, u32)>; 2],
+    pub touched_sides: [Vec<(u32, u32)>; 2],
 }
 
 /// All strips that wait.

@@ -8,7 +8,7 @@ use crate::task::Task;
 /// Triangles, their links, and the proper triangles around each vertex. Takes 12 bytes per triangle and 4
 /// per vertex.
 pub(super) struct Adjacency<'a> {
-    pub(super) triangles: &'a [[u32; 3]],
+    pub triangles: &'a [[u32; 3]],
     twins: &'a [u32],
     /// Start of each vertex's range in `around`, followed by the total.
     offsets: Vec<u32>,

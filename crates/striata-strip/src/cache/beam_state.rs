@@ -25,11 +25,11 @@ pub(super) const ROOT: u32 = u32::MAX;
 /// Prices that the search adds up, in indices.
 pub(super) struct Prices {
     /// Price of a lost vertex.
-    pub(super) loss: f64,
+    pub loss: f64,
     /// Price of an open vertex in the cache, by its age in misses.
-    pub(super) loss_risks: Vec<f64>,
+    pub loss_risks: Vec<f64>,
     /// Price of an undrawn triangle, by its number of undrawn neighbors.
-    pub(super) isolation: [f64; 4],
+    pub isolation: [f64; 4],
 }
 
 /// Indices of a new strip beyond one per triangle: two, and the restart.
@@ -43,11 +43,11 @@ const START_LOOK_COUNT: usize = 64;
 
 /// Data that all states share.
 pub(super) struct SearchContext<'a> {
-    pub(super) adjacency: Adjacency<'a>,
-    pub(super) drawn_sets: DrawnSets,
-    pub(super) prices: Prices,
+    pub adjacency: Adjacency<'a>,
+    pub drawn_sets: DrawnSets,
+    pub prices: Prices,
     /// Triangles that may be drawn now: those of the current group.
-    pub(super) group: std::ops::Range<u32>,
+    pub group: std::ops::Range<u32>,
 }
 
 /// Drawing of one more triangle.
@@ -89,12 +89,12 @@ impl Move {
 /// A possible next move, and the prices of the state after it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ScoredMove {
-    pub(super) step: Step,
+    pub step: Step,
     candidate: Move,
     cost: f64,
     isolation: f64,
     /// Sum of what is paid and what will probably be paid; less is better.
-    pub(super) score: f64,
+    pub score: f64,
 }
 
 /// End of the strip that a state is extending.
@@ -110,18 +110,18 @@ enum Head {
 /// One state of the beam search: a partial covering of the mesh by strips.
 #[derive(Clone)]
 pub(super) struct BeamState {
-    pub(super) drawn: DrawnBits,
+    pub drawn: DrawnBits,
     /// Hash of the set of drawn triangles.
-    pub(super) hash: u64,
+    pub hash: u64,
     /// Index of the step with which the last strip began.
-    pub(super) strip_start: u32,
+    pub strip_start: u32,
     /// Last step, as a node of the step tree.
-    pub(super) leaf: u32,
+    pub leaf: u32,
     cached: BeamCache,
     head: Head,
     cost: f64,
     isolation: f64,
-    pub(super) score: f64,
+    pub score: f64,
     /// No triangle of the group before this one is undrawn.
     first_undrawn: u32,
 }

@@ -11,10 +11,10 @@ const LEAST_FREE: u32 = 8;
 /// Consecutive indices of the buffer, for one strip and the restart after it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Slot {
-    pub(super) first: u32,
-    pub(super) capacity: u32,
+    pub first: u32,
+    pub capacity: u32,
     /// Length of the strip, without its restart.
-    pub(super) length: u32,
+    pub length: u32,
 }
 
 impl Slot {
@@ -32,12 +32,12 @@ impl Slot {
 /// Part of the buffer for the strips of one group.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Region {
-    pub(super) first: u32,
-    pub(super) capacity: u32,
+    pub first: u32,
+    pub capacity: u32,
     /// Number of indices from `first` that are drawn.
-    pub(super) used: u32,
+    pub used: u32,
     /// Number of indices that the strips and their restarts need.
-    pub(super) live: u32,
+    pub live: u32,
     /// Ranges that no strip has: length, first index.
     free: BTreeSet<(u32, u32)>,
 }

@@ -68,9 +68,9 @@ struct Move {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct TunnelChange {
     /// Whether the strips are cheaper now, and not only different.
-    pub(super) is_gain: bool,
-    pub(super) joined_count: usize,
-    pub(super) cut_count: usize,
+    pub is_gain: bool,
+    pub joined_count: usize,
+    pub cut_count: usize,
 }
 
 /// Reusable state of searches.

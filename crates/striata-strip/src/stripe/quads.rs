@@ -16,9 +16,9 @@ use striata::strip::{StripLinks, next_side, prev_side};
 /// A side of a quadrilateral.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct QuadSide {
-    pub(super) quad: u32,
+    pub quad: u32,
     /// Number of the side, counterclockwise, 0 to 3.
-    pub(super) number: u8,
+    pub number: u8,
 }
 
 impl QuadSide {

@@ -31,13 +31,13 @@ pub(crate) trait StripLocations {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Step {
     /// The dashed link, as the side of the moving end.
-    pub(crate) crossed: u32,
+    pub crossed: u32,
     /// The triangle taken.
-    pub(crate) taken: u32,
+    pub taken: u32,
     /// The solid link that is released, as the side of the triangle taken.
-    pub(crate) cut: u32,
+    pub cut: u32,
     /// The next moving end.
-    pub(crate) end: u32,
+    pub end: u32,
 }
 
 /// Triangles of one original strip between two indices.

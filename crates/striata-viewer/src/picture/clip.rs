@@ -7,17 +7,17 @@ type Vec3 = [f32; 3];
 /// A triangle corner with its interpolated attributes, in camera space: x right, y up, z toward the eye.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Corner {
-    pub(super) position: Vec3,
-    pub(super) color: Vec3,
-    pub(super) normal: Vec3,
+    pub position: Vec3,
+    pub color: Vec3,
+    pub normal: Vec3,
 }
 
 /// Part of a triangle that remains after clipping.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct ClippedTriangle {
-    pub(super) corners: [Corner; 3],
+    pub corners: [Corner; 3],
     /// Whether the side opposite each corner is part of an original edge, rather than created by clipping.
-    pub(super) is_edge: [bool; 3],
+    pub is_edge: [bool; 3],
 }
 
 /// Distance of the near plane, the same as in `striata_gpu::Viewpoint`.

@@ -23,7 +23,7 @@ pub(super) struct LookPainter {
 
 /// A shot with materials on the GPU.
 pub(super) struct UploadedLook {
-    pub(super) frame: LitFrame,
+    pub frame: LitFrame,
 }
 
 impl LookPainter {

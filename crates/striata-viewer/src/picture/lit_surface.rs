@@ -14,13 +14,13 @@ use super::vector::{Vec3, add, cross, dot, scaled, sub, unit};
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PixelGrid {
     /// Right, up, and toward the eye.
-    pub(super) axes: [Vec3; 3],
+    pub axes: [Vec3; 3],
     /// Pixel whose ray is the view direction.
-    pub(super) center: [f64; 2],
+    pub center: [f64; 2],
     /// Pixels per unit at distance 1.
-    pub(super) scale: f64,
+    pub scale: f64,
     /// Side of the square that is shaded as one, pixels of the grid.
-    pub(super) step: f64,
+    pub step: f64,
 }
 
 impl PixelGrid {

@@ -118,19 +118,19 @@ fn colors_of(mesh: &IndexedMesh) -> Option<Vec<Vec3>> {
 /// A point on the screen: pixel coordinates and inverse depth.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ScreenPoint {
-    pub(super) x: f32,
-    pub(super) y: f32,
-    pub(super) inverse_depth: f32,
+    pub x: f32,
+    pub y: f32,
+    pub inverse_depth: f32,
 }
 
 /// Camera as three axes and a scale.
 pub(super) struct View {
-    pub(super) axes: [[f64; 3]; 3],
+    pub axes: [[f64; 3]; 3],
     eye: [f64; 3],
-    pub(super) scale: f64,
-    pub(super) center: [f64; 2],
+    pub scale: f64,
+    pub center: [f64; 2],
     /// Distance of the near plane.
-    pub(super) near: f32,
+    pub near: f32,
 }
 
 impl View {
@@ -182,9 +182,9 @@ struct SurfaceStyle {
 
 /// A band of pixels with a depth buffer of inverse depths.
 pub(super) struct Band {
-    pub(super) canvas: Canvas,
-    pub(super) nearest: Vec<f32>,
-    pub(super) rows: Range<usize>,
+    pub canvas: Canvas,
+    pub nearest: Vec<f32>,
+    pub rows: Range<usize>,
 }
 
 impl Band {

@@ -18,17 +18,17 @@ pub(super) const MIN_ROUGHNESS: f32 = 0.045;
 /// A point of a surface, in world space.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SurfacePoint {
-    pub(super) position: Vec3,
+    pub position: Vec3,
     /// Unit normal on the side of the eye, with the normal map applied.
-    pub(super) normal: Vec3,
+    pub normal: Vec3,
     /// Unit vector to the eye.
-    pub(super) to_eye: Vec3,
-    pub(super) base_color: Vec3,
-    pub(super) metallic: f32,
-    pub(super) roughness: f32,
+    pub to_eye: Vec3,
+    pub base_color: Vec3,
+    pub metallic: f32,
+    pub roughness: f32,
     /// Share of the surroundings that reach the point.
-    pub(super) occlusion: f32,
-    pub(super) emissive: Vec3,
+    pub occlusion: f32,
+    pub emissive: Vec3,
 }
 
 /// Light that is reflected in all directions and toward the mirrored one.

@@ -144,9 +144,9 @@ impl<'a> Shot<'a> {
 /// Lines converted to triangles that face the camera.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LineTriangles {
-    pub(super) positions: Vec<[f32; 3]>,
-    pub(super) triangles: Vec<[u32; 3]>,
-    pub(super) colors: Vec<Color>,
+    pub positions: Vec<[f32; 3]>,
+    pub triangles: Vec<[u32; 3]>,
+    pub colors: Vec<Color>,
 }
 
 impl LineTriangles {

@@ -28,7 +28,7 @@ pub(super) struct Client {
     since: Instant,
     has_request: AtomicBool,
     /// Told when the connection must close.
-    pub(super) end: Notify,
+    pub end: Notify,
 }
 
 impl Client {

@@ -37,9 +37,9 @@ pub(super) struct Folder {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Stamp {
     /// Length in bytes.
-    pub(super) bytes: u64,
+    pub bytes: u64,
     /// Time of the last modification.
-    pub(super) modified: SystemTime,
+    pub modified: SystemTime,
     /// Inode number; 0 on systems without one.
     inode: u64,
 }
@@ -48,20 +48,20 @@ pub(super) struct Stamp {
 #[derive(Debug)]
 pub(super) struct OpenedFile {
     /// Path within the folder.
-    pub(super) name: String,
+    pub name: String,
     /// Open handle.
-    pub(super) file: std::fs::File,
+    pub file: std::fs::File,
     /// State of the file when it was opened.
-    pub(super) stamp: Stamp,
+    pub stamp: Stamp,
 }
 
 /// The models found in a folder.
 #[derive(Debug, Default)]
 pub(super) struct FoundModels {
     /// Paths within the folder, sorted, with their stamps.
-    pub(super) models: Vec<(String, Stamp)>,
+    pub models: Vec<(String, Stamp)>,
     /// Whether a limit was reached and models are missing.
-    pub(super) is_truncated: bool,
+    pub is_truncated: bool,
     entry_count: usize,
 }
 

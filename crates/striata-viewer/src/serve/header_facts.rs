@@ -19,11 +19,11 @@ const LONG_HEAD_BYTES: usize = 1 << 20;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct HeaderFacts {
     /// Whether the model can be streamed.
-    pub(super) streams: bool,
+    pub streams: bool,
     /// Triangle count of the full mesh, if known.
-    pub(super) triangle_count: Option<u64>,
+    pub triangle_count: Option<u64>,
     /// Vertex count of the full mesh, if known.
-    pub(super) vertex_count: Option<u64>,
+    pub vertex_count: Option<u64>,
 }
 
 impl HeaderFacts {

@@ -47,7 +47,7 @@ struct Cache {
 #[derive(Clone, Debug, Default)]
 pub(super) struct List {
     /// Number of models.
-    pub(super) model_count: usize,
+    pub model_count: usize,
     name: String,
     models: Arc<[(String, Stamp, HeaderFacts)]>,
     is_cut: bool,

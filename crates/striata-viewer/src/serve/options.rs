@@ -9,19 +9,19 @@ use super::guard::HostName;
 #[derive(Clone, Debug)]
 pub(crate) struct Options {
     /// Address or host name to listen on.
-    pub(crate) host: String,
+    pub host: String,
     /// Port to listen on; 0 picks any free port.
-    pub(crate) port: u16,
+    pub port: u16,
     /// Names of proxies that a server on a loopback address also answers for.
-    pub(crate) proxies: Vec<HostName>,
+    pub proxies: Vec<HostName>,
     /// Maximum number of simultaneous connections.
-    pub(crate) max_connections: usize,
+    pub max_connections: usize,
     /// How long a connection may be idle.
-    pub(crate) time_out: Duration,
+    pub time_out: Duration,
     /// Whether pages of other sites may read the models.
-    pub(crate) allows_other_sites: bool,
+    pub allows_other_sites: bool,
     /// Whether the default browser is opened.
-    pub(crate) opens_browser: bool,
+    pub opens_browser: bool,
 }
 
 impl Options {

@@ -12,10 +12,10 @@ use super::thumbnails::Thumbnails;
 /// State of the server; each request handler accesses the part that it needs.
 #[derive(Clone, Debug)]
 pub(super) struct ServerState {
-    pub(super) folder: Arc<Folder>,
-    pub(super) listing: Arc<Listing>,
-    pub(super) thumbnails: Arc<Thumbnails>,
-    pub(super) assets: Arc<Assets>,
+    pub folder: Arc<Folder>,
+    pub listing: Arc<Listing>,
+    pub thumbnails: Arc<Thumbnails>,
+    pub assets: Arc<Assets>,
 }
 
 impl FromRef<ServerState> for Arc<Folder> {

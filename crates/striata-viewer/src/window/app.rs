@@ -27,10 +27,10 @@ pub(super) struct Wake;
 #[derive(Clone, Debug)]
 pub(super) struct WindowOptions {
     /// Initial size, pixels.
-    pub(super) size: [u32; 2],
-    pub(super) theme: Option<egui::Theme>,
+    pub size: [u32; 2],
+    pub theme: Option<egui::Theme>,
     /// Path for a screenshot, after which the window closes.
-    pub(super) screenshot: Option<PathBuf>,
+    pub screenshot: Option<PathBuf>,
 }
 
 /// Unchanged frames to wait for before a screenshot: the panel's numbers lag one frame behind.

@@ -7,11 +7,11 @@ use super::state::Action;
 /// A key and its command.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shortcut {
-    pub(super) key: Key,
-    pub(super) command: Command,
+    pub key: Key,
+    pub command: Command,
     /// Name of the key in the help.
-    pub(super) name: &'static str,
-    pub(super) description: &'static str,
+    pub name: &'static str,
+    pub description: &'static str,
 }
 
 /// Command of a key: a change of the settings or of the camera.

@@ -36,9 +36,9 @@ pub(super) enum Task {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct OpenAs {
     /// Whether a scene is shown as it is, rather than as one mesh.
-    pub(super) scene: bool,
+    pub scene: bool,
     /// Model of everything that is shown as one mesh.
-    pub(super) model: ShownModel,
+    pub model: ShownModel,
 }
 
 /// Result of a job: the subject with the model, or the failure to show.
@@ -56,9 +56,9 @@ pub(super) struct Job {
 /// Progress of a job: its phase, and the completed fraction of the phase.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct JobProgress {
-    pub(super) phase: &'static str,
+    pub phase: &'static str,
     /// 0 to 1, or none if unknown.
-    pub(super) share: Option<f32>,
+    pub share: Option<f32>,
 }
 
 /// Minimum time between two wake-ups for progress.

@@ -16,13 +16,13 @@ use striata_command::sequence::Steps;
 /// One mesh and its models. Missing models are built on demand, once, on a background thread.
 #[derive(Debug)]
 pub(super) struct MeshSubject {
-    pub(super) origin: Origin,
-    pub(super) steps: Steps,
+    pub origin: Origin,
+    pub steps: Steps,
     /// Models that the file contained.
-    pub(super) stored: Vec<ShownModel>,
-    pub(super) bounds: Bounds,
+    pub stored: Vec<ShownModel>,
+    pub bounds: Bounds,
     /// Bounding sphere of all positions.
-    pub(super) sphere: Sphere,
+    pub sphere: Sphere,
     strips: OnceLock<StripSet>,
     lod_strips: OnceLock<LodStrips<'static>>,
     /// Strips of the full mesh, which instances copy.
@@ -35,11 +35,11 @@ pub(super) struct MeshSubject {
 /// Models read from a file.
 #[derive(Debug, Default)]
 pub(super) struct StoredModels {
-    pub(super) strips: Option<StripSet>,
-    pub(super) lod_strips: Option<LodStrips<'static>>,
-    pub(super) mts: Option<Mts<'static>>,
-    pub(super) fans: Option<Fans>,
-    pub(super) patterns: Option<Patterns>,
+    pub strips: Option<StripSet>,
+    pub lod_strips: Option<LodStrips<'static>>,
+    pub mts: Option<Mts<'static>>,
+    pub fans: Option<Fans>,
+    pub patterns: Option<Patterns>,
 }
 
 impl MeshSubject {

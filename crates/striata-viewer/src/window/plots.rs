@@ -14,11 +14,11 @@ const MAX_SAMPLES: usize = 240;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Sample {
     /// From reading the input to submitting the last GPU command.
-    pub(super) frame_secs: f64,
+    pub frame_secs: f64,
     /// Part of it spent changing the level.
-    pub(super) level_secs: f64,
-    pub(super) triangle_count: usize,
-    pub(super) uploaded_bytes: u64,
+    pub level_secs: f64,
+    pub triangle_count: usize,
+    pub uploaded_bytes: u64,
 }
 
 /// Measurements of the most recent frames in which the picture changed.

@@ -15,9 +15,9 @@ use striata_command::output::Output;
 
 /// A window and the device that draws into it.
 pub(super) struct Screen {
-    pub(super) window: Arc<Window>,
-    pub(super) gpu: Gpu,
-    pub(super) renderer: Renderer,
+    pub window: Arc<Window>,
+    pub gpu: Gpu,
+    pub renderer: Renderer,
     instance: wgpu::Instance,
     surface: wgpu::Surface<'static>,
     config: wgpu::SurfaceConfiguration,
@@ -27,9 +27,9 @@ pub(super) struct Screen {
 
 /// Output of the user interface for one frame.
 pub(super) struct UiFrame {
-    pub(super) primitives: Vec<ClippedPrimitive>,
-    pub(super) textures: TexturesDelta,
-    pub(super) pixels_per_point: f32,
+    pub primitives: Vec<ClippedPrimitive>,
+    pub textures: TexturesDelta,
+    pub pixels_per_point: f32,
 }
 
 /// Outcome of painting a frame.

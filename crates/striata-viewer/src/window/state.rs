@@ -110,39 +110,39 @@ pub(super) enum Background {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Frozen {
     /// Viewpoint when it was frozen.
-    pub(super) viewpoint: Viewpoint,
+    pub viewpoint: Viewpoint,
     /// Size of the picture, pixels.
-    pub(super) size: [u32; 2],
+    pub size: [u32; 2],
 }
 
 /// All settings.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct ViewerState {
-    pub(super) model: ShownModel,
+    pub model: ShownModel,
     /// Whether scenes are opened as they are, rather than as one mesh in a model.
-    pub(super) as_scene: bool,
-    pub(super) goal: GoalKind,
+    pub as_scene: bool,
+    pub goal: GoalKind,
     /// Detail from 0 to 1.
-    pub(super) detail: f64,
+    pub detail: f64,
     /// Maximum triangle count; none until a model is loaded.
-    pub(super) triangles: Option<usize>,
-    pub(super) pixels: f32,
+    pub triangles: Option<usize>,
+    pub pixels: f32,
     /// Like `triangles`, for view-dependent detail.
-    pub(super) budget: Option<usize>,
+    pub budget: Option<usize>,
     /// Fraction of the first model's triangles, until it is loaded.
-    pub(super) first_triangles: Option<Count>,
-    pub(super) morphs: bool,
-    pub(super) frozen: Option<Frozen>,
-    pub(super) wireframe: bool,
-    pub(super) colors: Colors,
-    pub(super) is_flat: bool,
-    pub(super) shows_vertex_colors: bool,
-    pub(super) hides_back: bool,
-    pub(super) background: Background,
-    pub(super) auto_rotates: bool,
-    pub(super) shows_panel: bool,
-    pub(super) shows_plots: bool,
-    pub(super) shows_help: bool,
+    pub first_triangles: Option<Count>,
+    pub morphs: bool,
+    pub frozen: Option<Frozen>,
+    pub wireframe: bool,
+    pub colors: Colors,
+    pub is_flat: bool,
+    pub shows_vertex_colors: bool,
+    pub hides_back: bool,
+    pub background: Background,
+    pub auto_rotates: bool,
+    pub shows_panel: bool,
+    pub shows_plots: bool,
+    pub shows_help: bool,
 }
 
 impl Default for ViewerState {

@@ -12,13 +12,13 @@ use super::scene::SceneSubject;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Origin {
     /// File name.
-    pub(super) name: String,
+    pub name: String,
     /// Kind of file, in one word.
-    pub(super) kind: &'static str,
+    pub kind: &'static str,
     /// File size in bytes; none for generated shapes.
-    pub(super) file_bytes: Option<usize>,
+    pub file_bytes: Option<usize>,
     /// Whether the file contains a scene: nodes, materials or animations.
-    pub(super) has_scene: bool,
+    pub has_scene: bool,
 }
 
 /// An opened file. Clones share their data.

@@ -185,22 +185,31 @@ impl Lod {
 
     /// Returns an instance of triangle strips at the most detailed level that does not exceed the target; it moves to
     /// other levels by editing its strips.
-    pub fn strip_level(&self, target: Target) -> StripLevel {
-        let mut level = StripLevel::full(Arc::clone(&self.tables));
+    ///
+    /// # Errors
+    /// Those of [`strips`](Self::strips).
+    pub fn strip_level(&self, target: Target) -> Result<StripLevel, ModelError> {
+        let mut level = StripLevel::full(Arc::clone(&self.tables))?;
         level.move_to(target);
-        level
+        Ok(level)
     }
 
     /// Strips that are good strips at every level \[RCRG06\]: at most about 1.45 indices for each triangle, down to very
     /// coarse levels.
     ///
     /// Built by the fast stripifier on first use, unless [`with_strips`](Self::with_strips) took over others.
-    pub fn strips(&self) -> &LodStrips<'static> {
+    ///
+    /// # Errors
+    /// [`ModelError::TooMany`] if the mesh is too large for the model.
+    pub fn strips(&self) -> Result<&LodStrips<'static>, ModelError> {
         self.tables.strips()
     }
 
     /// Multiresolution triangle strips \[BRR02\], built on first use.
-    pub fn mts(&self) -> &Mts<'static> {
+    ///
+    /// # Errors
+    /// [`ModelError::TooMany`] if the mesh is too large for the model.
+    pub fn mts(&self) -> Result<&Mts<'static>, ModelError> {
         self.tables.mts()
     }
 
@@ -210,7 +219,10 @@ impl Lod {
     }
 
     /// Patterns of the collapses \[KG98\], with bounds for views; built on first use.
-    pub fn patterns(&self) -> &Patterns {
+    ///
+    /// # Errors
+    /// [`ModelError::TooMany`] if the mesh is too large for the model.
+    pub fn patterns(&self) -> Result<&Patterns, ModelError> {
         self.tables.patterns()
     }
 

@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::tables::Tables;
-use crate::model::{LodModel as _, LodStripsState, StripBuffer};
+use crate::model::{LodModel as _, LodStrips, LodStripsState, ModelError, StripBuffer};
 use crate::simplify::{StopReason, Target};
 
 /// A uniform level of a [`Lod`](super::Lod) as triangle strips, for one instance that changes its level often.
@@ -17,7 +17,7 @@ use crate::simplify::{StopReason, Target};
 /// use striata::{Lod, LodOptions, Target};
 ///
 /// let lod = Lod::build(&shapes::icosphere(4, 1.0), &LodOptions::default())?;
-/// let mut level = lod.strip_level(Target::Triangles(500));
+/// let mut level = lod.strip_level(Target::Triangles(500))?;
 /// level.move_to(Target::Triangles(400));
 /// for range in level.take_changed_ranges() {
 ///     let changed = &level.indices()[range.start as usize..range.end as usize];
@@ -37,15 +37,20 @@ pub struct StripLevel {
 
 impl StripLevel {
     /// Shows the full mesh.
-    pub(super) fn full(tables: Arc<Tables>) -> Self {
-        let mut state = tables.strips().new_state();
-        let buffer = StripBuffer::new(tables.strips(), &mut state);
-        Self { tables, state, buffer, stop_reason: StopReason::FullMesh }
+    pub(super) fn full(tables: Arc<Tables>) -> Result<Self, ModelError> {
+        let model = tables.strips()?;
+        let mut state = model.new_state();
+        let buffer = StripBuffer::new(model, &mut state);
+        Ok(Self { tables, state, buffer, stop_reason: StopReason::FullMesh })
+    }
+
+    fn model(&self) -> &LodStrips<'static> {
+        self.tables.strips().expect("strips that were there when the level was made")
     }
 
     /// Moves to the most detailed level that does not exceed the target.
     pub fn move_to(&mut self, target: Target) {
-        let model = self.tables.strips();
+        let model = self.tables.strips().expect("strips that were there when the level was made");
         let (split_count, stop_reason) = target.resolve(&self.tables.refinable().sequence);
         model.move_to(&mut self.state, split_count);
         self.buffer.sync(model, &mut self.state);
@@ -71,12 +76,12 @@ impl StripLevel {
 
     /// Number of strips.
     pub fn strip_count(&self) -> usize {
-        self.tables.strips().draw_counts(&self.state).strip_count
+        self.model().draw_counts(&self.state).strip_count
     }
 
     /// Number of indices that the strips and the restarts between them need, without room to grow.
     pub fn index_count(&self) -> usize {
-        self.tables.strips().draw_counts(&self.state).index_count
+        self.model().draw_counts(&self.state).index_count
     }
 
     /// Number of triangles.

@@ -20,9 +20,9 @@ pub(super) struct Tables {
     fans: OnceLock<(Fans, Sphere)>,
     /// Held by the call that builds the fans and can be cancelled, so that others wait for it.
     preparing: Mutex<()>,
-    strips: OnceLock<LodStrips<'static>>,
-    mts: OnceLock<Mts<'static>>,
-    patterns: OnceLock<Patterns>,
+    strips: OnceLock<Result<LodStrips<'static>, ModelError>>,
+    mts: OnceLock<Result<Mts<'static>, ModelError>>,
+    patterns: OnceLock<Result<Patterns, ModelError>>,
     has_guaranteed_errors: bool,
 }
 
@@ -67,10 +67,10 @@ impl Tables {
             let value = if self.has_guaranteed_errors { value } else { "estimated" };
             options = options.with_metadata(key, value);
         }
-        let models: Vec<FileModel<'_>> = (self.strips.get().map(FileModel::LodStrips).into_iter())
-            .chain(self.mts.get().map(FileModel::Mts))
+        let models: Vec<FileModel<'_>> = (built(&self.strips).map(FileModel::LodStrips).into_iter())
+            .chain(built(&self.mts).map(FileModel::Mts))
             .chain([FileModel::Fans(self.fans())])
-            .chain(self.patterns.get().map(FileModel::Patterns))
+            .chain(built(&self.patterns).map(FileModel::Patterns))
             .collect();
         to_striata(&self.refinable, &models, &options)
     }
@@ -101,13 +101,13 @@ impl Tables {
     }
 
     /// LodStrips, which get new strips where a level would need too many indices.
-    pub(super) fn strips(&self) -> &LodStrips<'static> {
+    pub(super) fn strips(&self) -> Result<&LodStrips<'static>, ModelError> {
         let of_level =
             |level: &_| Ok::<_, ModelError>(stripify(level).expect("a level of a mesh that was checked"));
         let build = || {
             LodStrips::build_staged(&self.refinable, &self.full_strips(), &StageOptions::default(), of_level)
         };
-        self.strips.get_or_init(|| build().expect("strips of this mesh"))
+        self.strips.get_or_init(build).as_ref().map_err(Clone::clone)
     }
 
     /// Takes over a model, unless there is one.
@@ -116,20 +116,18 @@ impl Tables {
     /// [`ModelError`] if it does not belong to the mesh.
     pub(super) fn set_strips(&self, strips: LodStrips<'static>) -> Result<(), ModelError> {
         strips.check_mesh(&self.refinable)?;
-        let _ = self.strips.set(strips);
+        let _ = self.strips.set(Ok(strips));
         Ok(())
     }
 
-    pub(super) fn mts(&self) -> &Mts<'static> {
-        let build = || Mts::build(&self.refinable, &self.full_strips()).expect("strips of this mesh");
-        self.mts.get_or_init(build)
+    pub(super) fn mts(&self) -> Result<&Mts<'static>, ModelError> {
+        let build = || Mts::build(&self.refinable, &self.full_strips());
+        self.mts.get_or_init(build).as_ref().map_err(Clone::clone)
     }
 
-    pub(super) fn patterns(&self) -> &Patterns {
-        self.patterns.get_or_init(|| {
-            let fragmented = FragmentedMesh::from_collapses(&self.refinable);
-            Patterns::build(&fragmented).expect("fragments of this mesh")
-        })
+    pub(super) fn patterns(&self) -> Result<&Patterns, ModelError> {
+        let build = || Patterns::build(&FragmentedMesh::from_collapses(&self.refinable));
+        self.patterns.get_or_init(build).as_ref().map_err(Clone::clone)
     }
 
     fn full_strips(&self) -> StripSet {
@@ -147,4 +145,9 @@ impl Tables {
     pub(super) fn has_guaranteed_errors(&self) -> bool {
         self.has_guaranteed_errors
     }
+}
+
+/// Returns a model that was built, or taken over.
+fn built<M>(model: &OnceLock<Result<M, ModelError>>) -> Option<&M> {
+    model.get()?.as_ref().ok()
 }

@@ -12,8 +12,8 @@ const LEAF_SIZE: usize = 4;
 /// An axis-aligned box.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct AxisBox {
-    pub(crate) min: Vec3A,
-    pub(crate) max: Vec3A,
+    pub min: Vec3A,
+    pub max: Vec3A,
 }
 
 /// A node; its descendants follow it in the list of nodes, up to `end`.

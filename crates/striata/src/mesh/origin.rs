@@ -34,9 +34,9 @@ pub fn origin_of(positions: &[[f64; 3]]) -> [f64; 3] {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Extent {
     /// Median of each coordinate.
-    pub(crate) median: [f64; 3],
+    pub median: [f64; 3],
     /// Twice the diagonal of the box between the quartiles: the diagonal of bounds that are filled evenly.
-    pub(crate) size: f64,
+    pub size: f64,
 }
 
 impl Extent {

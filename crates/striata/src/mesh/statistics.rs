@@ -164,10 +164,10 @@ pub(super) fn unused_vertices(mesh: &IndexedMesh) -> impl Iterator<Item = usize>
 /// A triangle with the same three corners as an earlier one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Duplicate {
-    pub(super) triangle: u32,
+    pub triangle: u32,
     /// The first triangle with these corners.
-    pub(super) first: u32,
-    pub(super) is_opposite: bool,
+    pub first: u32,
+    pub is_opposite: bool,
 }
 
 /// All triangles with the same corners as an earlier one, in increasing order; degenerate triangles are

@@ -14,11 +14,11 @@ pub const MAX_STRIP_INDICES: usize = 128;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct StoredStrips<'a> {
     /// First strip of each group, followed by the strip count.
-    pub(crate) group_offsets: Cow<'a, [u32]>,
+    pub group_offsets: Cow<'a, [u32]>,
     /// Number of indices of each strip.
-    pub(crate) lengths: Cow<'a, [u8]>,
+    pub lengths: Cow<'a, [u8]>,
     /// Indices of all strips, one after the other. Each place here is a *slot*.
-    pub(crate) indices: PackedVertices<'a>,
+    pub indices: PackedVertices<'a>,
     /// First slot of each strip, followed by the slot count; derived from the lengths.
     firsts: Vec<u32>,
 }

@@ -4,9 +4,9 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Run {
     /// Index of the first index of the run.
-    pub(super) first: u32,
+    pub first: u32,
     /// Length of the run, at least 1.
-    pub(super) count: u32,
+    pub count: u32,
 }
 
 /// Moves a run behind the remaining live indices; the caller then shortens the live part by `run.count`.

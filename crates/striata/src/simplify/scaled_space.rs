@@ -19,7 +19,7 @@ const SAMPLES: usize = 1 << 10;
 pub(super) struct ScaledSpace {
     center: DVec3,
     /// The unit, in mesh units; 1 for a mesh without extent.
-    pub(super) scale: f64,
+    pub scale: f64,
 }
 
 impl ScaledSpace {

@@ -43,19 +43,19 @@ pub(crate) fn errors_are_guaranteed(file: &StriataFile<'_>) -> Result<bool, Deco
 #[derive(Clone, Debug)]
 pub(crate) struct BuildPlan {
     /// How the mesh is simplified.
-    pub(crate) sequence: SequencePlan,
+    pub sequence: SequencePlan,
     /// How its strips are made.
-    pub(crate) strips: StripPlan,
+    pub strips: StripPlan,
     /// Strips of the full mesh to begin with.
-    pub(crate) strips_from: Option<StripsFrom>,
+    pub strips_from: Option<StripsFrom>,
     /// When LodStrips begin a stage with new strips.
-    pub(crate) stages: StageOptions,
+    pub stages: StageOptions,
     /// The models to build.
-    pub(crate) models: Vec<ModelKind>,
+    pub models: Vec<ModelKind>,
     /// How the stream is encoded, if there is one.
-    pub(crate) stream: StreamOptions,
+    pub stream: StreamOptions,
     /// Whether patterns store an error for each overlap.
-    pub(crate) has_overlap_errors: bool,
+    pub has_overlap_errors: bool,
 }
 
 impl BuildPlan {

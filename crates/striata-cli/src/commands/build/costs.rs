@@ -19,15 +19,15 @@ use striata_command::sequence::{SequencePlan, SimplifiedSteps};
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct ModelCost {
     /// Name of the model.
-    pub(crate) name: &'static str,
+    pub name: &'static str,
     /// Size of all its parts.
-    pub(crate) bytes: usize,
+    pub bytes: usize,
     /// Size per vertex of the welded mesh.
-    pub(crate) bytes_per_vertex: f64,
+    pub bytes_per_vertex: f64,
     /// Additional size of each instance; `None` for a stream, which is decoded once for all instances.
-    pub(crate) instance_bytes: Option<usize>,
+    pub instance_bytes: Option<usize>,
     /// Time to build the model from existing steps and strips, seconds.
-    pub(crate) build_secs: f64,
+    pub build_secs: f64,
 }
 
 /// Builds every model of a mesh with default options.

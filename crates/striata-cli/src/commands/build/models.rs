@@ -36,11 +36,11 @@ pub(super) fn takes_strips(model: &ModelKind) -> bool {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StripSource<'a> {
     /// Strips of the full mesh.
-    pub(super) full: &'a StripSet,
+    pub full: &'a StripSet,
     /// How they were made, and how those of later stages are.
-    pub(super) plan: &'a StripPlan,
+    pub plan: &'a StripPlan,
     /// When LodStrips begin a stage.
-    pub(super) stages: StageOptions,
+    pub stages: StageOptions,
 }
 
 impl StripSource<'_> {
@@ -56,12 +56,12 @@ impl StripSource<'_> {
 /// The requested models.
 #[derive(Debug)]
 pub(super) struct Models {
-    pub(super) lod_strips: Option<LodStrips<'static>>,
-    pub(super) mts: Option<Mts<'static>>,
-    pub(super) fans: Option<Fans>,
-    pub(super) patterns: Option<Patterns>,
+    pub lod_strips: Option<LodStrips<'static>>,
+    pub mts: Option<Mts<'static>>,
+    pub fans: Option<Fans>,
+    pub patterns: Option<Patterns>,
     /// The progressive stream; the mesh is in its order.
-    pub(super) stream: Option<EncodedStream>,
+    pub stream: Option<EncodedStream>,
 }
 
 impl Models {

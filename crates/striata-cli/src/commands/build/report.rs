@@ -24,7 +24,7 @@ pub(super) struct Report {
     order: &'static str,
     stop_reason: &'static str,
     /// Why the base mesh has more triangles than `--base`; null if it does not.
-    pub(super) shortfall: Option<String>,
+    pub shortfall: Option<String>,
     models: Map<String, Value>,
     strips: Value,
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -11,7 +11,7 @@ use striata_command::output::format_bytes;
 /// The output folder, with the names and descriptions of the files written so far.
 pub(super) struct Folder<'a> {
     path: &'a Path,
-    pub(super) files: Vec<(String, String)>,
+    pub files: Vec<(String, String)>,
 }
 
 impl<'a> Folder<'a> {

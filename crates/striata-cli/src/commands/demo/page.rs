@@ -13,15 +13,15 @@ const TEMPLATE: &str = include_str!("page.html");
 /// Contents of the page.
 pub(super) struct Content<'a> {
     /// Introduction, as HTML.
-    pub(super) intro: &'a str,
+    pub intro: &'a str,
     /// Text above the table.
-    pub(super) levels: &'a str,
+    pub levels: &'a str,
     /// Header and rows of the table of levels.
-    pub(super) table: &'a [Vec<String>],
+    pub table: &'a [Vec<String>],
     /// Names and descriptions of the other files in the folder.
-    pub(super) files: &'a [(String, String)],
+    pub files: &'a [(String, String)],
     /// Pictures in display order.
-    pub(super) pictures: &'a [Picture],
+    pub pictures: &'a [Picture],
 }
 
 /// Returns the page, which includes everything that it shows; it needs neither a network nor other files.

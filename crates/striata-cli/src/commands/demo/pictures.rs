@@ -24,13 +24,13 @@ const PORTRAIT: ViewAngles = ViewAngles { turn: -0.62, rise: 0.04, up: [0.0, 1.0
 /// A picture of the demo.
 pub(super) struct Picture {
     /// File name.
-    pub(super) name: &'static str,
+    pub name: &'static str,
     /// Short description.
-    pub(super) what: &'static str,
+    pub what: &'static str,
     /// Text on the page.
-    pub(super) text: &'static str,
+    pub text: &'static str,
     /// Contents of the PNG file.
-    pub(super) png: Vec<u8>,
+    pub png: Vec<u8>,
 }
 
 /// Draws all pictures.

@@ -20,17 +20,17 @@ pub(crate) const MIN_PIXELS: f64 = 1e-6;
 /// A level for a view or a box.
 pub(crate) struct ViewLevel {
     /// The mesh of the level.
-    pub(crate) mesh: IndexedMesh,
+    pub mesh: IndexedMesh,
     /// Number of refined steps, that is, of positions in addition to those of the base mesh.
-    pub(crate) split_count: usize,
+    pub split_count: usize,
     /// Largest error of a collapsed step, mesh units.
-    pub(crate) error: f32,
+    pub error: f32,
     /// The pixel tolerance.
-    pub(crate) pixels: f64,
+    pub pixels: f64,
     /// Whether the triangle limit was respected.
-    pub(crate) stop_reason: StopReason,
+    pub stop_reason: StopReason,
     /// Time to adapt the model to the level, without building it, seconds.
-    pub(crate) seek_secs: f64,
+    pub seek_secs: f64,
 }
 
 impl ViewLevel {

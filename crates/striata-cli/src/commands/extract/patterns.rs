@@ -22,16 +22,16 @@ pub(crate) struct FilePatterns {
     patterns: Patterns,
     mesh: IndexedMesh,
     /// Whether the patterns were stored in the file, rather than built from its collapses.
-    pub(crate) are_stored: bool,
+    pub are_stored: bool,
 }
 
 /// Limits of a level.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Budget {
     /// Largest number of triangles; `None` for no limit.
-    pub(crate) triangle_limit: Option<usize>,
+    pub triangle_limit: Option<usize>,
     /// Fragments whose weight is at most this may be left out.
-    pub(crate) threshold: f32,
+    pub threshold: f32,
 }
 
 /// An instance within a budget.

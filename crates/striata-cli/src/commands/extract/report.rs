@@ -22,47 +22,47 @@ type ExtractedLevels = LevelsReport<Report, Option<ExtractedList>>;
 /// Members of the report on a list of levels, besides the list.
 #[derive(Serialize)]
 pub(super) struct ExtractedList {
-    pub(super) step_count: usize,
-    pub(super) secs: f64,
+    pub step_count: usize,
+    pub secs: f64,
 }
 
 #[derive(Serialize)]
 pub(super) struct Report {
     #[serde(flatten)]
-    pub(super) written: WrittenLevel,
-    pub(super) model: &'static str,
+    pub written: WrittenLevel,
+    pub model: &'static str,
     /// For views: whether the fans were `stored` in the file or `built` from the sequence.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) fans: Option<&'static str>,
+    pub fans: Option<&'static str>,
     /// For views and boxes: whether the patterns were `stored` in the file or `built` from the sequence.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) patterns: Option<&'static str>,
+    pub patterns: Option<&'static str>,
     /// For views: the pixel tolerance, after it was raised to respect the triangle limit.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) pixels: Option<f64>,
+    pub pixels: Option<f64>,
     /// For paged files: what was read.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) pages: Option<PagesRead>,
-    pub(super) split_count: usize,
+    pub pages: Option<PagesRead>,
+    pub split_count: usize,
     /// Whether no point of the original is farther from the level than the error.
-    pub(super) error_is_guaranteed: bool,
-    pub(super) seek_secs: f64,
-    pub(super) secs: f64,
+    pub error_is_guaranteed: bool,
+    pub seek_secs: f64,
+    pub secs: f64,
 }
 
 /// Pages of a paged file that were read.
 #[derive(Clone, Copy, Serialize)]
 pub(super) struct PagesRead {
     /// Pages of the file.
-    pub(super) page_count: u32,
+    pub page_count: u32,
     /// Pages that were read.
-    pub(super) read: u64,
+    pub read: u64,
     /// Pages whose vertices are in the result.
-    pub(super) shown: usize,
+    pub shown: usize,
     /// Bytes that were read, with the head.
-    pub(super) bytes: u64,
+    pub bytes: u64,
     /// Steps of the pages that were read.
-    pub(super) step_count: usize,
+    pub step_count: usize,
 }
 
 impl PagesRead {
@@ -81,9 +81,9 @@ impl PagesRead {
 /// The mesh of a level.
 #[derive(Clone, Copy)]
 pub(super) struct LevelMesh<'a> {
-    pub(super) mesh: &'a IndexedMesh,
-    pub(super) split_count: usize,
-    pub(super) stop_reason: StopReason,
+    pub mesh: &'a IndexedMesh,
+    pub split_count: usize,
+    pub stop_reason: StopReason,
 }
 
 impl Report {

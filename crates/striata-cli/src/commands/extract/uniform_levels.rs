@@ -55,11 +55,11 @@ pub(super) fn read_model<'a>(
 
 /// One level of a file.
 pub(super) struct ExtractedLevel {
-    pub(super) model: ModelKind,
-    pub(super) mesh: IndexedMesh,
+    pub model: ModelKind,
+    pub mesh: IndexedMesh,
     /// The strips of the level, if the model has strips.
-    pub(super) strips: Option<StripSet>,
-    pub(super) seek_secs: f64,
+    pub strips: Option<StripSet>,
+    pub seek_secs: f64,
 }
 
 /// Receives a level and its index among the requested levels.

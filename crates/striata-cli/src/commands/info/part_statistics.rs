@@ -12,9 +12,9 @@ use striata::mesh::{Adjacency, DisjointSets, Welded};
 #[non_exhaustive]
 pub(crate) struct PartStatistics {
     /// Number of triangles of each part, in ascending order.
-    pub(crate) triangle_counts: Vec<usize>,
+    pub triangle_counts: Vec<usize>,
     /// Smallest number of triangles of a level that shows all parts.
-    pub(crate) least_triangle_count: usize,
+    pub least_triangle_count: usize,
 }
 
 impl PartStatistics {

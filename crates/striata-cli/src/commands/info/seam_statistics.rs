@@ -21,20 +21,20 @@ pub(crate) enum SeamCause {
 #[non_exhaustive]
 pub(crate) struct SeamStatistics {
     /// Number of positions that triangles use.
-    pub(crate) position_count: usize,
+    pub position_count: usize,
     /// Number of wedges of all positions.
-    pub(crate) wedge_count: usize,
+    pub wedge_count: usize,
     /// Number of positions with two or more wedges.
-    pub(crate) split_position_count: usize,
+    pub split_position_count: usize,
     /// Largest number of wedges of a position.
-    pub(crate) largest_wedge_count: usize,
+    pub largest_wedge_count: usize,
     /// Number of edges with two or more triangles.
-    pub(crate) inner_edge_count: usize,
+    pub inner_edge_count: usize,
     /// Number of inner edges along which wedges differ.
-    pub(crate) seam_edge_count: usize,
+    pub seam_edge_count: usize,
     /// Number of split positions per cause, layers first. A position counts for each of its causes; causes
     /// without positions are omitted.
-    pub(crate) causes: Vec<(SeamCause, usize)>,
+    pub causes: Vec<(SeamCause, usize)>,
 }
 
 impl SeamStatistics {

@@ -13,16 +13,16 @@ use striata::mesh::{DisjointSets, RefinableMesh};
 #[non_exhaustive]
 pub(crate) struct StepStatistics {
     /// Number of steps that remove triangles and move a wedge to the other side of a seam.
-    pub(crate) crossing_count: usize,
+    pub crossing_count: usize,
     /// Number of steps that remove no triangle: they contract two parts, or remove a position that has no
     /// triangle left.
-    pub(crate) empty_count: usize,
+    pub empty_count: usize,
     /// Number of connected parts of the full mesh.
-    pub(crate) part_count: usize,
+    pub part_count: usize,
     /// Number of parts that have no triangle in the base mesh.
-    pub(crate) vanished_part_count: usize,
+    pub vanished_part_count: usize,
     /// Split count of the coarsest level that has triangles of every part.
-    pub(crate) all_parts_split_count: usize,
+    pub all_parts_split_count: usize,
 }
 
 impl StepStatistics {

@@ -21,25 +21,25 @@ use striata_viewer::picture::{
 #[derive(Clone)]
 pub(super) struct Figure {
     /// Title above the level.
-    pub(super) title: String,
+    pub title: String,
     /// The mesh, whose vertices have normals.
-    pub(super) mesh: IndexedMesh,
+    pub mesh: IndexedMesh,
     /// Strips of the level, if the model has strips.
-    pub(super) strips: Option<StripSet>,
+    pub strips: Option<StripSet>,
     /// The step that inserted each triangle, if this is a uniform level; `None` for those of the base mesh.
-    pub(super) steps: Option<Vec<Option<u32>>>,
+    pub steps: Option<Vec<Option<u32>>>,
     /// Name of the model that provided the level.
-    pub(super) model: &'static str,
+    pub model: &'static str,
     /// Split count, for levels of a sequence.
-    pub(super) split_count: Option<usize>,
-    pub(super) vertex_count: usize,
+    pub split_count: Option<usize>,
+    pub vertex_count: usize,
     /// Distance from the original, mesh units.
-    pub(super) error: f32,
-    pub(super) error_is_guaranteed: bool,
+    pub error: f32,
+    pub error_is_guaranteed: bool,
     /// For views: the pixel tolerance.
-    pub(super) pixels: Option<f64>,
+    pub pixels: Option<f64>,
     /// How the level misses its target, if it does.
-    pub(super) shortfall: Option<String>,
+    pub shortfall: Option<String>,
 }
 
 impl Figure {

@@ -19,18 +19,18 @@ pub(super) struct Layout<'a> {
     figures: &'a [Figure],
     viewpoint: &'a Viewpoint,
     /// Distances from the original to each level, if the picture shows them.
-    pub(super) heats: Vec<DistanceMap>,
+    pub heats: Vec<DistanceMap>,
     /// Distance at the end of the color scale.
-    pub(super) heat_top: f64,
+    pub heat_top: f64,
     diagonal: f64,
     sheet: Sheet,
 }
 
 /// The finished picture.
 pub(super) struct FinishedPicture {
-    pub(super) canvas: Canvas,
+    pub canvas: Canvas,
     /// Time to draw one frame of all panels, seconds.
-    pub(super) frame_secs: f64,
+    pub frame_secs: f64,
 }
 
 impl<'a> Layout<'a> {

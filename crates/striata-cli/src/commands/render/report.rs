@@ -60,9 +60,9 @@ struct HeatReport {
 
 /// The renderer that drew the picture, and the times that it took.
 pub(super) struct Drawing<'a> {
-    pub(super) artist: &'a PictureRenderer,
-    pub(super) frame_secs: f64,
-    pub(super) started: Instant,
+    pub artist: &'a PictureRenderer,
+    pub frame_secs: f64,
+    pub started: Instant,
 }
 
 impl Report {

@@ -47,8 +47,8 @@ pub(super) struct Levels<'a> {
 /// How large the mesh of a paged file is, and how much of it a picture shows.
 #[derive(Clone, Copy)]
 pub(super) struct PageLimits {
-    pub(super) full: FullMesh,
-    pub(super) triangle_count: usize,
+    pub full: FullMesh,
+    pub triangle_count: usize,
 }
 
 /// The model that provides the triangles of a level.

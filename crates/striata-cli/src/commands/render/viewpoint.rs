@@ -12,7 +12,7 @@ pub(super) struct Viewpoint {
     placement: CameraPlacement,
     zoom: f32,
     /// The frustum of the view, if the picture shows a view from outside.
-    pub(super) frustum: Option<Frustum>,
+    pub frustum: Option<Frustum>,
 }
 
 enum CameraPlacement {

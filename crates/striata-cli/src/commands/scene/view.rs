@@ -19,18 +19,21 @@ use crate::args::ExtractArgs;
 /// Smallest pixel tolerance used with a triangle limit, so that tolerances can be multiplied.
 const LEAST_PIXELS: f64 = 1e-4;
 
-/// Returns the scene for a camera, within a triangle limit if there is one, and its tolerance in pixels.
+/// Returns the scene for a camera, within a triangle limit if there is one, and the pixels that its least important
+/// object may err by.
 pub(in crate::commands) fn scene_of_view(
     lods: &LodScene,
     view: &ViewArgs,
     camera: Camera,
     limit: Option<usize>,
 ) -> (Scene, f64) {
+    let least =
+        lods.scene().instances().iter().fold(1.0, |least: f64, instance| least.min(instance.importance));
     let Some(limit) = limit else {
-        return (lods.view_scene(&view.criterion(camera, 0.0)), view.pixels());
+        return (lods.view_scene(&view.criterion(camera, 0.0)), view.pixels() / least);
     };
     let (scene, factor) = lods.view_scene_within(&view.criterion(camera, LEAST_PIXELS), limit);
-    (scene, view.pixels().max(LEAST_PIXELS) * f64::from(factor))
+    (scene, view.pixels().max(LEAST_PIXELS) * f64::from(factor) / least)
 }
 
 /// Writes the scene for a viewer at a point, and reports.

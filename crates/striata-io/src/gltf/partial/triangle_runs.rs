@@ -33,7 +33,7 @@ pub(crate) struct TriangleRuns<'d> {
 /// Number of triangles of a primitive, and places of some of them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct TriangleCount {
-    pub(crate) triangle_count: u64,
+    pub triangle_count: u64,
     /// Place of every triangle whose number is a multiple of the size of a run; none if places are numbers of
     /// triangles.
     run_places: Box<[u64]>,

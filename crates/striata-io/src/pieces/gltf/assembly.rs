@@ -23,16 +23,16 @@ const BYTES_PER_INPUT_BYTE: u64 = 64;
 pub(super) struct Assembly<'s> {
     outline: &'s Outline,
     document: &'s Document<'s>,
-    pub(super) mesh: IndexedMesh,
+    pub mesh: IndexedMesh,
     /// Group of each triangle.
-    pub(super) groups: Vec<u32>,
+    pub groups: Vec<u32>,
 }
 
 /// Vertices that some parts have in common.
 pub(super) struct Batch {
     shown: Shown,
     /// Number of each vertex in the accessors, increasing.
-    pub(super) numbers: Vec<u32>,
+    pub numbers: Vec<u32>,
     /// The vertices in the mesh.
     vertices: Range<usize>,
 }

@@ -10,8 +10,8 @@ use std::ops::Range;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Part {
     /// Number of the shown primitive.
-    pub(super) shown: usize,
-    pub(super) triangles: Range<u64>,
+    pub shown: usize,
+    pub triangles: Range<u64>,
 }
 
 /// Pieces of a scene.

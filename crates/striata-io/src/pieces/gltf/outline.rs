@@ -36,27 +36,27 @@ const NO_BLOCK: u32 = u32::MAX;
 /// Everything that a scene shows.
 #[derive(Default)]
 pub(super) struct Outline {
-    pub(super) primitives: Vec<PrimitiveOutline>,
-    pub(super) placements: Vec<Placement>,
+    pub primitives: Vec<PrimitiveOutline>,
+    pub placements: Vec<Placement>,
     /// In tree order.
-    pub(super) shown: Vec<Shown>,
-    pub(super) formats: LayerFormats,
-    pub(super) groups: Vec<PieceGroup>,
-    pub(super) triangle_count: u64,
+    pub shown: Vec<Shown>,
+    pub formats: LayerFormats,
+    pub groups: Vec<PieceGroup>,
+    pub triangle_count: u64,
     /// Blocks whose normals are computed: all primitives that show the same vertices at the same place, as
     /// indices into `shown`.
-    pub(super) blocks: Vec<Vec<u32>>,
+    pub blocks: Vec<Vec<u32>>,
 }
 
 /// Primitive of a mesh that is shown at least once.
 pub(super) struct PrimitiveOutline {
-    pub(super) mesh: u64,
+    pub mesh: u64,
     /// Index of the primitive in its mesh.
-    pub(super) index: usize,
+    pub index: usize,
     /// Number of the set of accessors that its vertices have.
     vertex_set: u32,
-    pub(super) vertex_count: usize,
-    pub(super) triangles: TriangleCount,
+    pub vertex_count: usize,
+    pub triangles: TriangleCount,
     material: Option<u32>,
     is_fan: bool,
     has_normals: bool,
@@ -65,15 +65,15 @@ pub(super) struct PrimitiveOutline {
 /// Transform and pose in which a node shows a mesh.
 pub(super) struct Placement {
     matrix: DMat4,
-    pub(super) pose: RestPose,
+    pub pose: RestPose,
 }
 
 /// One primitive as shown by one node.
 #[derive(Clone, Copy)]
 pub(super) struct Shown {
-    pub(super) primitive: u32,
-    pub(super) placement: u32,
-    pub(super) group: u32,
+    pub primitive: u32,
+    pub placement: u32,
+    pub group: u32,
     block: u32,
 }
 

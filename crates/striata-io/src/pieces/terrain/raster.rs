@@ -7,14 +7,14 @@ use crate::error::Place;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Placement {
     /// Coordinates of the upper left sample.
-    pub(super) west: f64,
-    pub(super) north: f64,
+    pub west: f64,
+    pub north: f64,
     /// Distance of neighboring samples along x and y, positive.
-    pub(super) step: [f64; 2],
+    pub step: [f64; 2],
     /// Whether coordinates are degrees.
-    pub(super) is_geographic: bool,
+    pub is_geographic: bool,
     /// EPSG code of the coordinate system, if the file names one.
-    pub(super) epsg: Option<u32>,
+    pub epsg: Option<u32>,
 }
 
 /// A raster of heights. Several threads may read it.

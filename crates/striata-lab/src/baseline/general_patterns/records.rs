@@ -48,9 +48,9 @@ impl Link {
 /// The part of a fragment's record that precedes its links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Head {
-    pub(super) anchors: [u32; 2],
-    pub(super) rule: u32,
-    pub(super) down: Link,
+    pub anchors: [u32; 2],
+    pub rule: u32,
+    pub down: Link,
 }
 
 /// The records of all fragments of a model.

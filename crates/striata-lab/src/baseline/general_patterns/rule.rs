@@ -16,21 +16,21 @@ const MAX_LOCALS: usize = 255;
 pub(super) struct Shape {
     /// Counts of triangles of the ceiling and the floor, of own and of listed vertices; own vertices; listed
     /// vertices; the corners of the ceiling, then those of the floor, in the order of the walk.
-    pub(super) code: Vec<u8>,
+    pub code: Vec<u8>,
     /// The anchors, then the listed vertices.
-    pub(super) vertices: Vec<u32>,
+    pub vertices: Vec<u32>,
 }
 
 /// A rule in a table.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rule<'a> {
     /// Local vertices that the step restores, in the order of their numbers.
-    pub(super) own: &'a [u8],
+    pub own: &'a [u8],
     /// Other local vertices that either the ceiling or the floor lacks, so that each fragment lists them.
-    pub(super) listed: &'a [u8],
-    pub(super) ceiling: &'a [[u8; 3]],
-    pub(super) floor: &'a [[u8; 3]],
-    pub(super) local_count: usize,
+    pub listed: &'a [u8],
+    pub ceiling: &'a [[u8; 3]],
+    pub floor: &'a [[u8; 3]],
+    pub local_count: usize,
 }
 
 impl<'a> Rule<'a> {

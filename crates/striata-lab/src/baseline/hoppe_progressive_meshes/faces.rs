@@ -9,9 +9,9 @@ pub(super) const NONE: u32 = u32::MAX;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Faces {
     /// Vertex from which each half-edge leads.
-    pub(super) corners: Vec<u32>,
+    pub corners: Vec<u32>,
     /// Opposite half-edge of each, or [`NONE`].
-    pub(super) twins: Vec<u32>,
+    pub twins: Vec<u32>,
 }
 
 /// The half-edge after `half_edge` in the same face.

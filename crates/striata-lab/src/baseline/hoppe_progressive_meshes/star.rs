@@ -11,9 +11,9 @@ use super::faces::{Faces, NONE, next, prev};
 pub(super) struct Surface<'r> {
     positions: &'r PositionIndex,
     /// Faces in the order of the mesh's triangles; removed ones keep their last corners.
-    pub(super) faces: Faces,
+    pub faces: Faces,
     /// The split count from which each face is shown.
-    pub(super) shown_from: Vec<u32>,
+    pub shown_from: Vec<u32>,
     /// Half-edges that leave each position, possibly with some that no longer do.
     leaving: Vec<Vec<u32>>,
 }
@@ -23,11 +23,11 @@ pub(super) struct Surface<'r> {
 pub(super) struct Star {
     /// First half-edge of each vanishing face, which leaves the position: toward the target in the left
     /// face, away from it in the right one; or [`NONE`].
-    pub(super) vanishing: [u32; 2],
+    pub vanishing: [u32; 2],
     /// Half-edges that leave the position in the other faces, beginning next to the left face.
-    pub(super) run: Vec<u32>,
+    pub run: Vec<u32>,
     /// After a border, those that begin next to the right face.
-    pub(super) second_run: Option<Vec<u32>>,
+    pub second_run: Option<Vec<u32>>,
 }
 
 impl<'r> Surface<'r> {

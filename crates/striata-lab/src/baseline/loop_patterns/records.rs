@@ -29,7 +29,7 @@ const WORDS_PER_BLOCK: usize = 2;
 /// An element of a loop: the next fragment, and which of its loops continues this one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Link {
-    pub(super) step: u32,
+    pub step: u32,
     loop_index: u32,
 }
 
@@ -65,9 +65,9 @@ impl Link {
 /// The part of a fragment's record that precedes its links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Head {
-    pub(super) anchors: [u32; 2],
-    pub(super) rule: u32,
-    pub(super) down: Link,
+    pub anchors: [u32; 2],
+    pub rule: u32,
+    pub down: Link,
 }
 
 /// The records of all fragments of a model.

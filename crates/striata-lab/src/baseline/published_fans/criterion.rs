@@ -27,8 +27,8 @@ pub struct VertexCriterion {
 
 /// Data of all vertices.
 pub(super) struct CriterionData {
-    pub(super) criteria: Vec<VertexCriterion>,
-    pub(super) normals: Vec<[f32; 3]>,
+    pub criteria: Vec<VertexCriterion>,
+    pub normals: Vec<[f32; 3]>,
 }
 
 /// A camera with a tolerance, as the published criterion needs it.

@@ -13,9 +13,9 @@ use striata::mesh::{FragmentSequence, FragmentedMesh, RefinableMesh};
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Deviation {
     /// In any direction.
-    pub(super) surface: f32,
+    pub surface: f32,
     /// In the direction of the normal.
-    pub(super) dist: f32,
+    pub dist: f32,
 }
 
 /// Computes the deviation of each step; `normals` are those of the vertices.

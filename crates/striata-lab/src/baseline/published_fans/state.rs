@@ -17,7 +17,7 @@ pub(super) struct Run {
     /// First node.
     first: usize,
     /// Number of nodes, one more than triangles; the ring is cyclic.
-    pub(super) count: usize,
+    pub count: usize,
 }
 
 /// The bits of a mask of up to 255 arcs.

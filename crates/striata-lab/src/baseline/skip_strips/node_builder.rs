@@ -25,7 +25,7 @@ pub(super) struct NodeBuilder<'s> {
     rank_of: Vec<u32>,
     slots: Vec<u32>,
     /// Steps that change what the strip shows, last one first.
-    pub(super) steps: Vec<u32>,
+    pub steps: Vec<u32>,
 }
 
 struct PartialNode {
@@ -38,9 +38,9 @@ struct PartialNode {
 /// Flat arrays of the nodes of all strips.
 #[derive(Default)]
 pub(super) struct NodeArrays {
-    pub(super) slots: Vec<u32>,
-    pub(super) node_vertices: Vec<u32>,
-    pub(super) node_parents: Vec<u32>,
+    pub slots: Vec<u32>,
+    pub node_vertices: Vec<u32>,
+    pub node_parents: Vec<u32>,
 }
 
 impl<'s> NodeBuilder<'s> {

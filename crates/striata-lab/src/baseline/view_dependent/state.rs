@@ -34,14 +34,14 @@ pub struct ViewDependentState {
 /// A vertex of the surface and the hierarchy node that it represents.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ActiveVertex {
-    pub(super) vertex: u32,
+    pub vertex: u32,
     /// The step that splits it, or [`LEAF`](super::LEAF).
-    pub(super) node: u32,
+    pub node: u32,
     /// Whether both children of the step that restored this vertex are active.
-    pub(super) has_both: bool,
+    pub has_both: bool,
     /// Accumulated motion at which to evaluate again whether to split the vertex, and whether to collapse
     /// the step that restored it.
-    pub(super) due: [f32; 2],
+    pub due: [f32; 2],
 }
 
 impl ActiveVertex {

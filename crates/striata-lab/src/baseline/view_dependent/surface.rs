@@ -8,9 +8,9 @@ use super::{NONE, corner_of};
 /// A manifold surface whose vertices are removed one by one.
 pub(super) struct Surface {
     /// Current corners of the triangles; removed ones keep their last corners.
-    pub(super) corners: Vec<[u32; 3]>,
+    pub corners: Vec<[u32; 3]>,
     /// The neighbor opposite each corner, or [`NONE`] at a border.
-    pub(super) neighbors: Vec<[u32; 3]>,
+    pub neighbors: Vec<[u32; 3]>,
     /// One triangle of each vertex, or [`NONE`].
     triangle_at: Vec<u32>,
     /// Number of triangles of each vertex.
@@ -24,9 +24,9 @@ pub(super) struct Surface {
 /// The triangles that a collapse removes, and their neighbors.
 pub(super) struct Removed {
     /// The triangles left and right of the edge from the target to the vertex.
-    pub(super) triangles: [u32; 2],
+    pub triangles: [u32; 2],
     /// Neighbors of the left triangle at the target and at the vertex, then of the right triangle.
-    pub(super) neighbors: [u32; 4],
+    pub neighbors: [u32; 4],
 }
 
 impl Surface {

@@ -23,11 +23,11 @@ type Build = for<'s> fn(&'s BenchScene<'_>, &[usize]) -> Result<Box<dyn Way + 's
 
 /// A way, its name, and how to build it.
 pub(super) struct Entry {
-    pub(super) name: &'static str,
+    pub name: &'static str,
     /// Description printed in the report.
-    pub(super) about: &'static str,
+    pub about: &'static str,
     /// Whether all levels stay on the GPU.
-    pub(super) is_resident: bool,
+    pub is_resident: bool,
     build: Build,
 }
 

@@ -35,21 +35,21 @@ const TIE_SHARE: f64 = 1e-6;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct AttributeSpread {
     /// Mean, weighted by area.
-    pub(super) mean: f64,
+    pub mean: f64,
     /// Value that 95 % of the area does not exceed.
-    pub(super) percentile_95: f64,
+    pub percentile_95: f64,
 }
 
 /// Result of [`attribute_distance`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct AttributeDistance {
     /// Angles between interpolated normals, in radians; `None` if either mesh has no normals.
-    pub(super) normal: Option<AttributeSpread>,
+    pub normal: Option<AttributeSpread>,
     /// Distances between texture coordinates of set 0, in UV units (1 is the width of the texture); `None`
     /// if either mesh has none.
-    pub(super) uv: Option<AttributeSpread>,
+    pub uv: Option<AttributeSpread>,
     /// Fraction of the samples for which a triangle on the same side was within reach.
-    pub(super) same_side_share: f64,
+    pub same_side_share: f64,
 }
 
 /// Measures how far the normals and texture coordinates of `level` differ from those of `original`.

@@ -5,9 +5,9 @@ use striata::mesh::IndexedMesh;
 /// The target of a simplification.
 pub(super) struct Request {
     /// Percent of the triangles.
-    pub(super) percent: f64,
+    pub percent: f64,
     /// The target as a triangle count, rounded down.
-    pub(super) target_count: usize,
+    pub target_count: usize,
 }
 
 impl Request {
@@ -20,12 +20,12 @@ impl Request {
 
 /// A simplified mesh returned by a contender.
 pub(super) struct Level {
-    pub(super) mesh: IndexedMesh,
-    pub(super) secs: f64,
+    pub mesh: IndexedMesh,
+    pub secs: f64,
     /// The error that the contender reports, in mesh units.
-    pub(super) error: Option<f64>,
+    pub error: Option<f64>,
     /// The error limit passed to the contender, as a share of the extent.
-    pub(super) error_limit: Option<f64>,
+    pub error_limit: Option<f64>,
 }
 
 /// Simplifies to a share of the triangles, or returns why it cannot.

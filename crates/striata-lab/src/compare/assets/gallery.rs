@@ -42,11 +42,11 @@ pub(super) struct Gallery {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct PictureDifference {
     /// RMS difference of gray levels (0 to 255) over the pixels that either mesh covers.
-    pub(super) gray_rms: f64,
+    pub gray_rms: f64,
     /// Covered area relative to the original's, over all pictures.
-    pub(super) silhouette: f64,
+    pub silhouette: f64,
     /// Mean difference of colors (0 to 255) over the pixels that either mesh covers, with materials.
-    pub(super) color_mean: Option<f64>,
+    pub color_mean: Option<f64>,
 }
 
 impl Gallery {

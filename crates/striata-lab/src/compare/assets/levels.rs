@@ -15,36 +15,36 @@ pub(super) const SAMPLES: usize = 100_000;
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct LevelRow {
     /// Name of the contender.
-    pub(super) contender: &'static str,
+    pub contender: &'static str,
     /// Requested percentage of the triangles.
-    pub(super) percent: f64,
-    pub(super) target_count: usize,
-    pub(super) triangle_count: usize,
+    pub percent: f64,
+    pub target_count: usize,
+    pub triangle_count: usize,
     /// Whether the level has no more triangles than requested.
-    pub(super) is_reached: bool,
+    pub is_reached: bool,
     /// The larger one-sided RMS distance; like all distances here a share of the diagonal.
-    pub(super) rms: f64,
-    pub(super) max: f64,
-    pub(super) normal_mean_degrees: Option<f64>,
-    pub(super) normal_p95_degrees: Option<f64>,
+    pub rms: f64,
+    pub max: f64,
+    pub normal_mean_degrees: Option<f64>,
+    pub normal_p95_degrees: Option<f64>,
     /// Difference of texture coordinates, in UV units.
-    pub(super) uv_mean: Option<f64>,
-    pub(super) uv_p95: Option<f64>,
+    pub uv_mean: Option<f64>,
+    pub uv_p95: Option<f64>,
     /// Share of the samples that were compared with a triangle on the same side.
-    pub(super) same_side_share: f64,
+    pub same_side_share: f64,
     /// RMS difference in gray levels, 0 to 255.
-    pub(super) gray_rms: f64,
+    pub gray_rms: f64,
     /// Covered area relative to the original's.
-    pub(super) silhouette: f64,
+    pub silhouette: f64,
     /// Mean difference of colors with materials, 0 to 255.
-    pub(super) color_mean: Option<f64>,
+    pub color_mean: Option<f64>,
     /// The error that the contender reports.
-    pub(super) error: Option<f64>,
+    pub error: Option<f64>,
     /// Ratio of the reported error to the measured maximum.
-    pub(super) error_ratio: Option<f64>,
+    pub error_ratio: Option<f64>,
     /// The error limit passed to the contender, as a share of the extent.
-    pub(super) error_limit: Option<f64>,
-    pub(super) secs: f64,
+    pub error_limit: Option<f64>,
+    pub secs: f64,
 }
 
 /// Measures a level against the original.

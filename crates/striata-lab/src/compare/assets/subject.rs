@@ -15,13 +15,13 @@ use striata_viewer::picture::{SceneLook, with_normals};
 /// A mesh with the attributes that all contenders can weight.
 pub(super) struct Subject {
     /// The mesh to simplify.
-    pub(super) mesh: IndexedMesh,
+    pub mesh: IndexedMesh,
     /// Base colors of its materials, as [`base_colors_of_mesh`] returns them.
-    pub(super) base_colors: Vec<Option<BaseColor>>,
+    pub base_colors: Vec<Option<BaseColor>>,
     /// The mesh with normals for comparison and lighting: its own, or smooth ones.
-    pub(super) reference: IndexedMesh,
+    pub reference: IndexedMesh,
     /// Pictures of the mesh.
-    pub(super) gallery: Gallery,
+    pub gallery: Gallery,
     /// The smooth normals of the reference, if the mesh itself has none.
     smooth_normals: Option<SmoothNormals>,
 }

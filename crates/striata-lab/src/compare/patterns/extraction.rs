@@ -34,20 +34,20 @@ pub(super) const NAMES: [&str; 3] = ["patterns", "multi-triangulation", "loop-pa
 pub(super) struct ExtractionRow {
     /// Error limit for fragments that are not inserted, in mesh units; null for the full mesh.
     error: Option<f32>,
-    pub(super) triangle_count: usize,
+    pub triangle_count: usize,
     fragment_count: usize,
     /// Times of the models that can be built.
-    pub(super) models: Vec<ExtractionTime>,
+    pub models: Vec<ExtractionTime>,
 }
 
 /// Extraction time of one model.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct ExtractionTime {
     /// Name of the model.
-    pub(super) name: &'static str,
+    pub name: &'static str,
     secs: f64,
     /// None if there are no triangles.
-    pub(super) ns_per_triangle: Option<f64>,
+    pub ns_per_triangle: Option<f64>,
 }
 
 impl ExtractionRow {

@@ -15,7 +15,7 @@ use striata_command::failure::Failure;
 /// All forms of the same fragments.
 pub(super) struct Models {
     /// Our patterns.
-    pub(super) patterns: Patterns,
+    pub patterns: Patterns,
     build_secs: f64,
     /// Bytes of the bounds that view-dependent refinement needs, and of an error for each overlap.
     bounds_bytes: usize,
@@ -24,20 +24,20 @@ pub(super) struct Models {
     file_bytes: usize,
     open_secs: f64,
     /// The published form, or why it cannot be built.
-    pub(super) loops: Result<LoopPatterns, String>,
+    pub loops: Result<LoopPatterns, String>,
     loop_build_secs: f64,
     /// The published form with rules for any ceiling, or why it cannot be built.
     general: Result<GeneralPatterns, String>,
     sequential: Option<SequentialPatterns>,
     /// The explicit model.
-    pub(super) explicit: MultiTriangulation,
+    pub explicit: MultiTriangulation,
     explicit_build_secs: f64,
     /// Error of each fragment's floor.
-    pub(super) errors: Vec<f32>,
+    pub errors: Vec<f32>,
     /// For each level, the largest error of the fragments it omits.
-    pub(super) level_errors: Vec<f32>,
+    pub level_errors: Vec<f32>,
     /// Number of triangles of each level.
-    pub(super) triangle_counts: Vec<usize>,
+    pub triangle_counts: Vec<usize>,
     vertex_count: usize,
 }
 
@@ -110,56 +110,56 @@ fn timed<T>(build: impl FnOnce() -> T) -> (T, f64) {
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct SourceRow {
     /// Name of the source.
-    pub(super) source: &'static str,
+    pub source: &'static str,
     /// Number of fragments.
-    pub(super) fragment_count: usize,
+    pub fragment_count: usize,
     /// Seconds to build the fragments.
-    pub(super) fragments_secs: f64,
+    pub fragments_secs: f64,
     /// Number of kinds of fragments.
-    pub(super) rule_count: usize,
+    pub rule_count: usize,
     /// Number of kinds of fragments in the published form; null if it cannot represent them.
     loop_rule_count: Option<usize>,
     /// Number of pairs of overlapping fragments.
     overlap_count: usize,
-    pub(super) overlaps_per_fragment: f64,
+    pub overlaps_per_fragment: f64,
     /// Bits as the paper counts, with the actual number of overlaps.
-    pub(super) paper_bits_per_fragment: f64,
-    pub(super) bits_per_fragment: f64,
+    pub paper_bits_per_fragment: f64,
+    pub bits_per_fragment: f64,
     /// In the published form; null if it cannot represent them.
-    pub(super) loop_bits_per_fragment: Option<f64>,
+    pub loop_bits_per_fragment: Option<f64>,
     /// In the form for transmission, fragments only; null if it cannot represent them.
-    pub(super) sequential_bits_per_fragment: Option<f64>,
+    pub sequential_bits_per_fragment: Option<f64>,
     /// Size of the form for transmission, including the base and the rules.
     sequential_bytes: Option<usize>,
     bytes: usize,
-    pub(super) bytes_per_vertex: f64,
+    pub bytes_per_vertex: f64,
     /// Including the bounds that view-dependent refinement needs.
-    pub(super) bytes_per_vertex_with_bounds: f64,
+    pub bytes_per_vertex_with_bounds: f64,
     /// Including the bounds and an error for each overlap.
     bytes_per_vertex_with_overlap_errors: f64,
     /// Size of a `.striata` file with the patterns alone.
     file_bytes: usize,
     /// Fastest time to open that file, with all checks.
-    pub(super) open_secs: f64,
+    pub open_secs: f64,
     loop_bytes: Option<usize>,
-    pub(super) loop_bytes_per_vertex: Option<f64>,
+    pub loop_bytes_per_vertex: Option<f64>,
     /// Number of rules of the published form for any ceiling; null if it cannot represent the fragments.
     general_rule_count: Option<usize>,
     /// Bits in that form.
-    pub(super) general_bits_per_fragment: Option<f64>,
+    pub general_bits_per_fragment: Option<f64>,
     general_bytes_per_vertex: Option<f64>,
     /// Why that form cannot represent the fragments; null if it can.
     cannot_be_general: Option<String>,
     multi_triangulation_bytes: usize,
-    pub(super) multi_triangulation_bytes_per_vertex: f64,
+    pub multi_triangulation_bytes_per_vertex: f64,
     /// Bytes as its paper counts.
-    pub(super) multi_triangulation_paper_bytes_per_vertex: f64,
+    pub multi_triangulation_paper_bytes_per_vertex: f64,
     /// The explicit model without the errors of its fragments, as ours without bounds.
-    pub(super) multi_triangulation_bytes_per_vertex_without_errors: f64,
+    pub multi_triangulation_bytes_per_vertex_without_errors: f64,
     /// Ratio of the explicit model's memory to ours, without errors and bounds.
-    pub(super) multi_triangulation_ratio: f64,
+    pub multi_triangulation_ratio: f64,
     /// Ratio of the explicit model's memory with errors to ours with bounds, which contain errors.
-    pub(super) multi_triangulation_ratio_with_bounds: f64,
+    pub multi_triangulation_ratio_with_bounds: f64,
     /// Ratio of the bytes that the paper counts for both: the explicit model to the published form.
     published_ratio: f64,
     build_secs: f64,

@@ -15,11 +15,11 @@ pub(super) const RUN_SECS: f64 = 2.0;
 
 /// The result of encoding and decoding a mesh.
 pub(super) struct Coded {
-    pub(super) bytes: usize,
+    pub bytes: usize,
     /// The decoded mesh.
-    pub(super) mesh: IndexedMesh,
-    pub(super) encode_secs: f64,
-    pub(super) decode_secs: f64,
+    pub mesh: IndexedMesh,
+    pub encode_secs: f64,
+    pub decode_secs: f64,
 }
 
 /// A coder of single meshes, with positions on a grid of the given number of bits.

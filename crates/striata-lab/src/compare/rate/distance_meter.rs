@@ -10,17 +10,17 @@ const SAMPLES: usize = 100_000;
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct RateRow {
     /// Name of the coder; rows with the same name form a series.
-    pub(super) name: String,
-    pub(super) bytes: usize,
-    pub(super) triangle_count: usize,
+    pub name: String,
+    pub bytes: usize,
+    pub triangle_count: usize,
     /// Maximum and RMS distance in percent of the diagonal.
-    pub(super) max: f64,
-    pub(super) rms: f64,
+    pub max: f64,
+    pub rms: f64,
 }
 
 /// Measures distances to one mesh.
 pub(super) struct DistanceMeter<'m> {
-    pub(super) reference: &'m IndexedMesh,
+    pub reference: &'m IndexedMesh,
 }
 
 impl DistanceMeter<'_> {

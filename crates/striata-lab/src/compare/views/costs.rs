@@ -28,7 +28,7 @@ pub(super) struct CostRow {
     /// Allowed error on the screen, in pixels.
     pixels: f32,
     /// The followers that can be built.
-    pub(super) contenders: Vec<Cost>,
+    pub contenders: Vec<Cost>,
     /// Indices and time that it takes to draw the fans of this view, by form.
     drawn: Vec<Drawn>,
 }
@@ -49,13 +49,13 @@ struct Drawn {
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Cost {
     /// Name of the follower.
-    pub(super) name: &'static str,
+    pub name: &'static str,
     /// Number of triangles shown afterward.
-    pub(super) triangles: usize,
+    pub triangles: usize,
     /// Time to evaluate the criterion and apply changes.
-    pub(super) follow_ms: f64,
+    pub follow_ms: f64,
     /// Time to write the indices.
-    pub(super) emission_ms: f64,
+    pub emission_ms: f64,
 }
 
 /// Refines from the base for one view; the uniform level gets as many triangles as fans.

@@ -9,34 +9,34 @@ use super::scenario::Run;
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Figures {
     /// Mean time per frame to evaluate the criterion.
-    pub(super) criterion_ms: f64,
+    pub criterion_ms: f64,
     /// Mean time per frame to apply changes.
-    pub(super) update_ms: f64,
+    pub update_ms: f64,
     /// Mean time per frame of criterion and update together.
-    pub(super) follow_ms: f64,
+    pub follow_ms: f64,
     /// Mean time per frame to write the indices.
-    pub(super) emission_ms: f64,
+    pub emission_ms: f64,
     /// Mean total time per frame.
-    pub(super) frame_ms: f64,
+    pub frame_ms: f64,
     /// Total time of the slowest frame after the first.
-    pub(super) worst_ms: f64,
+    pub worst_ms: f64,
     /// Criterion and update time of the first frame, which begins at the base.
-    pub(super) first_ms: f64,
+    pub first_ms: f64,
     /// Mean criterion and update time, and mean total time, as multiples of those of fans.
-    pub(super) ratio_to_fans: f64,
-    pub(super) frame_ratio_to_fans: f64,
+    pub ratio_to_fans: f64,
+    pub frame_ratio_to_fans: f64,
     /// Mean number of triangles shown.
-    pub(super) triangles: f64,
+    pub triangles: f64,
     /// Mean number of steps evaluated.
-    pub(super) asked_per_frame: f64,
+    pub asked_per_frame: f64,
     /// Mean number of splits and collapses after the first frame.
-    pub(super) changes_per_frame: f64,
+    pub changes_per_frame: f64,
     /// Splits and collapses per second of criterion and update time; null if that time is negligible.
-    pub(super) changes_per_sec: Option<f64>,
+    pub changes_per_sec: Option<f64>,
     /// The largest distance of a point from where it should be, in pixels; null if no point is visible.
-    pub(super) max_error_px: Option<f64>,
+    pub max_error_px: Option<f64>,
     /// The 99th percentile of these distances, in pixels.
-    pub(super) p99_error_px: Option<f64>,
+    pub p99_error_px: Option<f64>,
     /// Static bytes per vertex, without positions and normals.
     bytes_per_vertex: f64,
     /// Including positions, and normals of 4 bytes.
@@ -44,28 +44,28 @@ pub(super) struct Figures {
     /// Including positions, and normals of 12 bytes.
     bytes_per_vertex_plain: f64,
     /// Maximum bytes owned by the instance.
-    pub(super) bytes_per_instance: usize,
+    pub bytes_per_instance: usize,
     /// Maximum bytes owned by the instance, per vertex of the full mesh.
-    pub(super) instance_bytes_per_vertex: f64,
+    pub instance_bytes_per_vertex: f64,
     /// Maximum bytes owned by the instance, per vertex of the full mesh, without indices that can be drawn as is.
     state_bytes_per_vertex: f64,
     /// Values by frame.
-    pub(super) series: Series,
+    pub series: Series,
 }
 
 /// Values of some frames of a run, evenly spaced.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct Series {
     /// Indices of these frames.
-    pub(super) frame: Vec<usize>,
+    pub frame: Vec<usize>,
     /// Number of triangles shown.
-    pub(super) triangles: Vec<usize>,
+    pub triangles: Vec<usize>,
     asked: Vec<usize>,
     changes: Vec<usize>,
     /// Time of criterion and update.
-    pub(super) follow_ms: Vec<f64>,
+    pub follow_ms: Vec<f64>,
     /// Time to write the indices.
-    pub(super) emission_ms: Vec<f64>,
+    pub emission_ms: Vec<f64>,
 }
 
 /// Shorter times may be due to reading the clock alone.

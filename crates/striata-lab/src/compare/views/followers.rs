@@ -17,20 +17,20 @@ use super::paths::PIXELS_PER_UNIT;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct View<'s> {
     /// The camera's criterion.
-    pub(super) screen: &'s ScreenError,
+    pub screen: &'s ScreenError,
     /// The uniform level that is fine enough everywhere.
-    pub(super) split_count: usize,
+    pub split_count: usize,
 }
 
 /// Numbers of splits and collapses, including forced ones.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Changes {
     /// Number of splits.
-    pub(super) split_count: usize,
+    pub split_count: usize,
     /// Number of collapses.
-    pub(super) collapse_count: usize,
+    pub collapse_count: usize,
     /// Number of steps evaluated, if the follower does not use the camera's criterion.
-    pub(super) evaluated: Option<usize>,
+    pub evaluated: Option<usize>,
 }
 
 /// A model with one instance that follows a camera.
@@ -57,15 +57,15 @@ pub(super) trait Follower<'a> {
 #[derive(Debug)]
 pub(super) struct Models<'r> {
     /// The mesh with its sequence.
-    pub(super) refinable: &'r RefinableMesh,
+    pub refinable: &'r RefinableMesh,
     /// The fans with the bounds of their steps.
-    pub(super) fans: Fans,
+    pub fans: Fans,
     /// Fans with bounds over everything that depends on a step.
     dependents: Fans,
     /// The view-dependent progressive mesh, or why it cannot be built.
-    pub(super) vdpm: Result<ViewDependentMeshes, String>,
+    pub vdpm: Result<ViewDependentMeshes, String>,
     /// Fans as published, or why they cannot be built.
-    pub(super) published: Result<PublishedFans, String>,
+    pub published: Result<PublishedFans, String>,
 }
 
 /// Names of the followers; chart colors follow this order.

@@ -22,9 +22,9 @@ pub(super) struct QueryLog {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LoggedCriterion<'a> {
     /// The camera's criterion.
-    pub(super) screen: &'a ScreenError,
+    pub screen: &'a ScreenError,
     /// QueryLog of the evaluated parts, if any.
-    pub(super) log: Option<&'a QueryLog>,
+    pub log: Option<&'a QueryLog>,
 }
 
 impl Criterion for LoggedCriterion<'_> {

@@ -26,27 +26,27 @@ pub(in crate::compare) struct ViewsReport {
 /// The report of one scenario.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct PathReport {
-    pub(super) name: &'static str,
+    pub name: &'static str,
     #[serde(skip)]
-    pub(super) path: Path,
+    pub path: Path,
     /// Allowed error on the screen, in pixels.
-    pub(super) pixels: f32,
-    pub(super) frame_count: usize,
-    pub(super) rounds: usize,
-    pub(super) contenders: Vec<FollowerReport>,
+    pub pixels: f32,
+    pub frame_count: usize,
+    pub rounds: usize,
+    pub contenders: Vec<FollowerReport>,
 }
 
 /// The report of one follower in one scenario.
 #[derive(Clone, Debug, Serialize)]
 pub(super) struct FollowerReport {
-    pub(super) name: &'static str,
+    pub name: &'static str,
     /// Why the follower cannot be built; null if it can.
-    pub(super) cannot_be_built: Option<String>,
+    pub cannot_be_built: Option<String>,
     #[serde(flatten)]
-    pub(super) figures: Option<Figures>,
+    pub figures: Option<Figures>,
     /// Measurements of every frame.
     #[serde(skip)]
-    pub(super) run: Option<Run>,
+    pub run: Option<Run>,
 }
 
 pub(super) fn pixels_word(pixels: f32) -> &'static str {

@@ -29,32 +29,32 @@ const INSPECTED_FRAMES: usize = 8;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scenario {
     /// The path of the camera.
-    pub(super) path: Path,
+    pub path: Path,
     /// Allowed screen error in pixels.
-    pub(super) pixels: f32,
+    pub pixels: f32,
 }
 
 /// Measurements of one follower in one scenario, by frame.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Run {
     /// Seconds to evaluate the criterion and apply changes, fastest round.
-    pub(super) follow_secs: Vec<f64>,
+    pub follow_secs: Vec<f64>,
     /// Seconds to evaluate the criterion, measured separately.
-    pub(super) criterion_secs: Vec<f64>,
+    pub criterion_secs: Vec<f64>,
     /// Seconds to write the indices.
-    pub(super) emission_secs: Vec<f64>,
+    pub emission_secs: Vec<f64>,
     /// Number of steps evaluated.
-    pub(super) evaluated: Vec<usize>,
+    pub evaluated: Vec<usize>,
     /// Number of splits and collapses.
-    pub(super) changes: Vec<usize>,
+    pub changes: Vec<usize>,
     /// Number of triangles shown.
-    pub(super) triangles: Vec<usize>,
+    pub triangles: Vec<usize>,
     /// Maximum bytes owned by the instance.
-    pub(super) instance_bytes: usize,
+    pub instance_bytes: usize,
     /// Maximum bytes owned by the instance, without indices that can be drawn as they are.
-    pub(super) state_bytes: usize,
+    pub state_bytes: usize,
     /// Errors on the screen.
-    pub(super) errors: ScreenErrors,
+    pub errors: ScreenErrors,
 }
 
 /// The frames of a scenario with the criterion and uniform level of each.

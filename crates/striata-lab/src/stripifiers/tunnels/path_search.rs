@@ -11,13 +11,13 @@ const PATH_NODE_LIMIT: usize = 1000;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Step {
     /// The dashed link, as the side of the moving end.
-    pub(super) crossed: u32,
+    pub crossed: u32,
     /// The triangle taken.
-    pub(super) taken: u32,
+    pub taken: u32,
     /// The solid link that is released, as the side of the triangle taken.
-    pub(super) cut: u32,
+    pub cut: u32,
     /// The next moving end.
-    pub(super) end: u32,
+    pub end: u32,
 }
 
 /// Moving end that the search has reached.

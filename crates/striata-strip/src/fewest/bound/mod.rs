@@ -12,9 +12,9 @@ use striata::mesh::{DualGraph, NO_TWIN};
 #[derive(Debug)]
 pub(super) struct Bounds {
     /// Component of each triangle, or [`NO_TWIN`] for triangles that are left out.
-    pub(super) component: Vec<u32>,
+    pub component: Vec<u32>,
     /// Least number of strips of each component.
-    pub(super) least: Vec<u32>,
+    pub least: Vec<u32>,
 }
 
 impl Bounds {

@@ -22,10 +22,10 @@ pub(super) struct ShownFans {
     /// Split count and instance of a uniform level; none for view-dependent levels.
     uniform: Option<(usize, FanInstance)>,
     /// The instance to draw: the requested level, and vertices that are still moving out.
-    pub(super) drawn: FanInstance,
+    pub drawn: FanInstance,
     /// Triangles of `drawn`; none if the GPU extracts them.
-    pub(super) triangles: Option<FanTriangles>,
-    pub(super) morphs: Option<FanMorphs>,
+    pub triangles: Option<FanTriangles>,
+    pub morphs: Option<FanMorphs>,
 }
 
 impl ShownFans {

@@ -31,11 +31,11 @@ use striata_command::output::Output;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct PictureArea {
     /// Rectangle in points.
-    pub(super) rect: Rect,
+    pub rect: Rect,
     /// Size in pixels; 0 if there is no picture.
-    pub(super) size: [u32; 2],
-    pub(super) pixels_per_point: f32,
-    pub(super) is_dark: bool,
+    pub size: [u32; 2],
+    pub pixels_per_point: f32,
+    pub is_dark: bool,
 }
 
 /// Everything that the picture depends on, except the triangles.
@@ -51,11 +51,11 @@ struct PictureInputs {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Frame {
     /// Whether the picture was redrawn.
-    pub(super) is_drawn: bool,
+    pub is_drawn: bool,
     /// Whether the texture was replaced.
-    pub(super) is_resized: bool,
+    pub is_resized: bool,
     /// Whether another frame follows without input.
-    pub(super) is_animated: bool,
+    pub is_animated: bool,
 }
 
 /// Content of the picture, at the level and in the pose of the last request.
@@ -66,23 +66,23 @@ enum Shown {
 
 /// State of the viewer.
 pub(super) struct Viewer {
-    pub(super) state: ViewerState,
-    pub(super) orbit: Orbit,
+    pub state: ViewerState,
+    pub orbit: Orbit,
     /// Files to choose from, and the index of the current one.
-    pub(super) files: Vec<PathBuf>,
-    pub(super) file: Option<usize>,
+    pub files: Vec<PathBuf>,
+    pub file: Option<usize>,
     /// The last failure, until it is dismissed.
-    pub(super) failure: Option<Failure>,
-    pub(super) history: History,
-    pub(super) area: PictureArea,
+    pub failure: Option<Failure>,
+    pub history: History,
+    pub area: PictureArea,
     /// Name of the graphics adapter.
-    pub(super) adapter: String,
+    pub adapter: String,
     /// Whether the window should close.
-    pub(super) quits: bool,
+    pub quits: bool,
     /// Animation of the scene, if the subject is one.
-    pub(super) playback: Playback,
+    pub playback: Playback,
     /// Pose of the first subject, until it is loaded.
-    pub(super) first_pose: Option<PoseArgs>,
+    pub first_pose: Option<PoseArgs>,
     subject: Option<Subject>,
     shown: Option<Shown>,
     job: Option<Job>,

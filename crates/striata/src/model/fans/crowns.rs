@@ -10,11 +10,11 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct RingArc {
     /// The corner after the pivot.
-    pub(super) from: u32,
+    pub from: u32,
     /// The corner after `from`.
-    pub(super) to: u32,
+    pub to: u32,
     /// The step that creates the triangle, or a marker for none.
-    pub(super) creator: u32,
+    pub creator: u32,
 }
 
 /// Splits arcs into crowns, runs of consecutive arcs. The result does not depend on the order of the arcs.

@@ -11,17 +11,17 @@ use crate::model::step_vertices::StepVertices;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FansParts<'a> {
     /// Encoded entries of all vertices.
-    pub(crate) entries: &'a [u8],
+    pub entries: &'a [u8],
     /// Offset of each block of vertices, or of each vertex if `starts` is empty.
-    pub(crate) blocks: &'a [u32],
+    pub blocks: &'a [u32],
     /// Offset of each vertex from the start of its block.
-    pub(crate) starts: &'a [u16],
+    pub starts: &'a [u16],
     /// Pairs of a step and an additional step that must be collapsed before it.
-    pub(crate) waits: &'a [[u32; 2]],
+    pub waits: &'a [[u32; 2]],
     /// Pairs of a step and the step of its target, for targets that are not in the ring.
-    pub(crate) far: &'a [[u32; 2]],
+    pub far: &'a [[u32; 2]],
     /// Steps that are children of the base without being listed in a base entry.
-    pub(crate) orphans: &'a [u32],
+    pub orphans: &'a [u32],
 }
 
 impl Fans {

@@ -14,7 +14,7 @@ pub(super) struct Changes {
     /// bit would have to wait for the last one that was set in the same word.
     blocks: Vec<u8>,
     /// Whether the stage is a different one, so that everything has changed.
-    pub(super) is_new_stage: bool,
+    pub is_new_stage: bool,
 }
 
 impl Changes {

@@ -87,13 +87,13 @@ pub struct LodStrips<'a> {
 /// The stored arrays of a model, except for those that come from the sequence.
 pub(crate) struct LodStripsParts<'a> {
     /// The strips of the full mesh.
-    pub(crate) strips: StoredStrips<'a>,
+    pub strips: StoredStrips<'a>,
     /// The later stages, from fine to coarse.
-    pub(crate) stages: Vec<StageHead>,
+    pub stages: Vec<StageHead>,
     /// The strips of the later stages as [`walks`], then padding.
-    pub(crate) walks: Cow<'a, [u8]>,
-    pub(crate) heads: Cow<'a, [u8]>,
-    pub(crate) arena: Cow<'a, [u8]>,
+    pub walks: Cow<'a, [u8]>,
+    pub heads: Cow<'a, [u8]>,
+    pub arena: Cow<'a, [u8]>,
 }
 
 /// Counts of the edits in all records of a model.

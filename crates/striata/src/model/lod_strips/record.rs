@@ -49,17 +49,17 @@ pub(super) struct RecordFormat {
 /// A run of live indices that a record drops.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Drop {
-    pub(super) strip: u32,
-    pub(super) run: Run,
+    pub strip: u32,
+    pub run: Run,
 }
 
 /// Everything that the collapse of a vertex changes in the strips.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Edit {
     /// Slots of the vertex before any drop, ascending.
-    pub(super) slots: Vec<u32>,
+    pub slots: Vec<u32>,
     /// In the order in which they are dropped.
-    pub(super) drops: Vec<Drop>,
+    pub drops: Vec<Drop>,
 }
 
 /// Number of bytes, at least 2, for numbers below `count`.
@@ -190,19 +190,19 @@ fn counts(head: u8) -> (usize, usize) {
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct LongRecord {
     /// Offset of its first byte in the arena.
-    pub(super) start: usize,
+    pub start: usize,
     /// Offset of the byte after its last.
-    pub(super) end: usize,
-    pub(super) edit: Edit,
+    pub end: usize,
+    pub edit: Edit,
 }
 
 /// A short record in the arena.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Record<'m> {
     /// Offset of its first byte in the arena.
-    pub(super) start: usize,
+    pub start: usize,
     /// Offset of the byte after its last.
-    pub(super) end: usize,
+    pub end: usize,
     /// Bytes of the substitutions.
     slots: &'m [u8],
     /// Bytes of the drops, and [`ARENA_PADDING`] more.

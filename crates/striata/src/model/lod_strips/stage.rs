@@ -8,13 +8,13 @@ use crate::model::stored_strips::StoredStrips;
 /// A set of strips and the finest level that it serves.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Stage<'a> {
-    pub(super) split_count: usize,
+    pub split_count: usize,
     /// The strips at that level.
-    pub(super) strips: StoredStrips<'a>,
+    pub strips: StoredStrips<'a>,
     /// The strips as [`walks`](super::walks) over the triangles of that level; empty for the full mesh.
-    pub(super) walks: Cow<'a, [u8]>,
+    pub walks: Cow<'a, [u8]>,
     /// Widths of the numbers in its records.
-    pub(super) format: RecordFormat,
+    pub format: RecordFormat,
 }
 
 impl<'a> Stage<'a> {
@@ -38,9 +38,9 @@ impl<'a> Stage<'a> {
 /// Split count and numbers of strips of a stage, which are known before its strips are read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct StageHead {
-    pub(crate) split_count: usize,
+    pub split_count: usize,
     /// Number of strips in each group.
-    pub(crate) strip_counts: Vec<u32>,
+    pub strip_counts: Vec<u32>,
 }
 
 /// First strip of each group, followed by the number of strips, where the strips of all stages count. The

@@ -97,12 +97,12 @@ impl Lifetimes<'_> {
 /// The slots of one strip with their lifetimes and breaks.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StripSlots<'m> {
-    pub(super) indices: &'m PackedVertices<'m>,
+    pub indices: &'m PackedVertices<'m>,
     /// Slot of its first index in `indices`.
-    pub(super) first: usize,
-    pub(super) length: usize,
+    pub first: usize,
+    pub length: usize,
     /// Its entry and what follows.
-    pub(super) entry: &'m [u8],
+    pub entry: &'m [u8],
 }
 
 impl<'m> StripSlots<'m> {

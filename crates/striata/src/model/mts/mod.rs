@@ -67,13 +67,13 @@ pub struct Mts<'a> {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct MtsParts<'a> {
     /// Strips of the full mesh.
-    pub(crate) strips: StoredStrips<'a>,
+    pub strips: StoredStrips<'a>,
     /// For each strip, how long its slots survive and where it breaks; see `lifetimes.rs`.
-    pub(crate) lifetimes: Cow<'a, [u8]>,
+    pub lifetimes: Cow<'a, [u8]>,
     /// For each step, the head of its record.
-    pub(crate) heads: Cow<'a, [u8]>,
+    pub heads: Cow<'a, [u8]>,
     /// For each step, the strips that it changes; see `record.rs`.
-    pub(crate) arena: Cow<'a, [u8]>,
+    pub arena: Cow<'a, [u8]>,
 }
 
 impl<'a> Mts<'a> {

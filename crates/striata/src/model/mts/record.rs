@@ -37,8 +37,8 @@ pub(super) struct RecordFormat {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Record {
     /// First bit and the bit after the last.
-    pub(super) start: usize,
-    pub(super) end: usize,
+    pub start: usize,
+    pub end: usize,
     head: u8,
 }
 

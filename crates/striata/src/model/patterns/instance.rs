@@ -15,11 +15,11 @@ use crate::model::step_bits::StepBits;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Slot {
     /// Vertices, youngest first; [`NONE`] in a free slot.
-    pub(super) corners: [u32; 3],
+    pub corners: [u32; 3],
     /// Next triangle of the same list, or next free slot.
-    pub(super) next: u32,
+    pub next: u32,
     /// Location in the floor above, or index in the ceiling for a triangle of the full mesh.
-    pub(super) location: u32,
+    pub location: u32,
 }
 
 /// Smaller arrays are not compacted.
@@ -44,19 +44,19 @@ pub struct PatternInstance {
 
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scratch {
-    pub(super) locals: Vec<u32>,
-    pub(super) links: Vec<Up>,
-    pub(super) shared: Vec<Shared>,
-    pub(super) waiting: Vec<u32>,
+    pub locals: Vec<u32>,
+    pub links: Vec<Up>,
+    pub shared: Vec<Shared>,
+    pub waiting: Vec<u32>,
 }
 
 /// A ceiling triangle that some fragment can replace, and its location in the floor of that fragment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Shared {
-    pub(super) above: u32,
-    pub(super) half_edge: u32,
+    pub above: u32,
+    pub half_edge: u32,
     /// Index of the triangle in the ceiling.
-    pub(super) triangle: u32,
+    pub triangle: u32,
 }
 
 impl PartialEq for PatternInstance {

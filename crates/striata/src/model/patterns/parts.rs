@@ -23,16 +23,16 @@ pub(crate) struct PatternsParts<'a> {
     /// Number of kinds; low bits of a kind; half-edges of the largest floor; 1 if counts of links
     /// down take 4 bits, plus 2 if there are errors of overlaps; bits of all records (low word, high word); scale of
     /// errors of overlaps; scales of radii and errors of bounds; 0.
-    pub(crate) header: [u32; HEADER_LEN],
-    pub(crate) rules: Vec<u8>,
-    pub(crate) sharings: Vec<u8>,
-    pub(crate) kinds: &'a [u8],
-    pub(crate) blocks: &'a [u32],
-    pub(crate) records: &'a [u8],
+    pub header: [u32; HEADER_LEN],
+    pub rules: Vec<u8>,
+    pub sharings: Vec<u8>,
+    pub kinds: &'a [u8],
+    pub blocks: &'a [u32],
+    pub records: &'a [u8],
     /// Corners, group, step above, code of the corner in its floor, and packed error, for each base
     /// triangle.
-    pub(crate) base: Vec<[u32; 7]>,
-    pub(crate) bounds: &'a [u8],
+    pub base: Vec<[u32; 7]>,
+    pub bounds: &'a [u8],
 }
 
 impl Patterns {

@@ -47,22 +47,22 @@ const LONG_STRIDE_SHARE: usize = 8;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Up {
     /// The step whose floor contains the triangles.
-    pub(super) above: u32,
+    pub above: u32,
     /// The corner of its floor where the run begins; see `Rule::starts`.
-    pub(super) code: u32,
+    pub code: u32,
     /// Packed error of the triangles; 0 if the model has no errors of overlaps.
-    pub(super) error: u32,
+    pub error: u32,
 }
 
 /// The record of a step before it is packed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Draft {
-    pub(super) kind: u32,
-    pub(super) up: Vec<Up>,
+    pub kind: u32,
+    pub up: Vec<Up>,
     /// Steps that must be inserted first, except for those that others in the list need anyway.
-    pub(super) down: Vec<u32>,
+    pub down: Vec<u32>,
     /// Listed vertices, as distances from the first vertex of the step.
-    pub(super) extras: Vec<u32>,
+    pub extras: Vec<u32>,
 }
 
 /// The packed records of all steps.
@@ -109,10 +109,10 @@ pub(in crate::model) struct Layout {
 /// Kind of a step, and the place, number and widths of its links.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Head {
-    pub(super) kind: u32,
-    pub(super) up_count: u32,
-    pub(super) down_count: u32,
-    pub(super) extra_count: u32,
+    pub kind: u32,
+    pub up_count: u32,
+    pub down_count: u32,
+    pub extra_count: u32,
     step: u32,
     /// First bit of the links up.
     at: usize,

@@ -26,13 +26,13 @@ pub(super) struct Rulebook<'a> {
 /// A fragment in the order of its rule.
 #[derive(Debug, Default)]
 pub(super) struct Matched {
-    pub(super) rule: u32,
+    pub rule: u32,
     /// Vertex for each local index.
-    pub(super) locals: Vec<u32>,
+    pub locals: Vec<u32>,
     /// Faces in the order of the rule's ceiling.
-    pub(super) ceiling: Vec<u32>,
+    pub ceiling: Vec<u32>,
     /// Faces in the order of the rule's floor.
-    pub(super) floor: Vec<u32>,
+    pub floor: Vec<u32>,
 }
 
 impl<'a> Rulebook<'a> {

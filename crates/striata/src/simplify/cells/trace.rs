@@ -12,22 +12,22 @@ const NONE: u32 = u32::MAX;
 pub(super) struct Trace<'a> {
     union: &'a CellUnion,
     /// Current corners of every welded triangle, as vertices.
-    pub(super) corners: Vec<[u32; 3]>,
-    pub(super) is_alive: Vec<bool>,
+    pub corners: Vec<[u32; 3]>,
+    pub is_alive: Vec<bool>,
     histories: Vec<History>,
     /// Largest error of each triangle's part of the cell's input, mesh units.
     input_errors: Vec<f32>,
     /// Largest error of each position's part of the input, mesh units, from the steps that it waits for.
     input_waits: Vec<f32>,
     /// Steps that each position waits for although they left no triangle at it.
-    pub(super) waits: Vec<History>,
+    pub waits: Vec<History>,
     /// First corner (3 * triangle + index) in the list of each position.
     head: Vec<u32>,
     tail: Vec<u32>,
     /// Next corner in the same list.
     next: Vec<u32>,
     /// Key and error of each step.
-    pub(super) steps: Vec<History>,
+    pub steps: Vec<History>,
     scratch: Scratch,
 }
 

@@ -7,17 +7,17 @@ use crate::mesh::{
 
 /// A welded cell. Its triangles are sorted by group; those inside come from `inside_of`.
 pub(super) struct CellUnion {
-    pub(super) welded: Welded,
+    pub welded: Welded,
     /// For each welded triangle, the triangle of the inside part that it is; `u32::MAX` for the border.
-    pub(super) inside_of: Vec<u32>,
+    pub inside_of: Vec<u32>,
     /// For each position, whether it belongs to the cell.
-    pub(super) is_within: Vec<bool>,
+    pub is_within: Vec<bool>,
     /// Corners of border triangles, as vertices of the input of welding.
-    pub(super) locked_vertices: Vec<u32>,
+    pub locked_vertices: Vec<u32>,
     /// History of each position that must be respected although no triangle of it tells.
-    pub(super) waits: Vec<(u32, History)>,
+    pub waits: Vec<(u32, History)>,
     /// Vertices of the inside part without triangles at the position, by position.
-    pub(super) lone: Vec<(u32, u32)>,
+    pub lone: Vec<(u32, u32)>,
 }
 
 /// Marks a triangle of the border.

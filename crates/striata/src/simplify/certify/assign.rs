@@ -122,9 +122,9 @@ impl CutPiece {
 /// The plane of an original triangle, which maps its own coordinates to space.
 #[derive(Clone, Copy)]
 pub(super) struct TrianglePlane {
-    pub(super) first: DVec3,
-    pub(super) to_second: DVec3,
-    pub(super) to_third: DVec3,
+    pub first: DVec3,
+    pub to_second: DVec3,
+    pub to_third: DVec3,
 }
 
 impl TrianglePlane {
@@ -137,8 +137,8 @@ impl TrianglePlane {
 /// A floor and the points measured against it.
 #[derive(Default)]
 pub(super) struct PieceAssigner {
-    pub(super) floor: Floor,
-    pub(super) points: MeasuredPoints,
+    pub floor: Floor,
+    pub points: MeasuredPoints,
     /// Squared distance below which nothing is cut.
     negligible: f64,
     jobs: Vec<CutPiece>,

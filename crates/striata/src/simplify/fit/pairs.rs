@@ -32,26 +32,26 @@ const SAME_EDGE: f64 = 0.5;
 /// A point of the level, and the point of the original that it should coincide with.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pair {
-    pub(super) level: SurfacePoint,
-    pub(super) original: SurfacePoint,
+    pub level: SurfacePoint,
+    pub original: SurfacePoint,
     /// Position of the point of the original.
-    pub(super) target: DVec3,
+    pub target: DVec3,
     /// Area that the pair stands for.
-    pub(super) area: f64,
+    pub area: f64,
 }
 
 /// A pair on the borders, whose area is as wide as the level's edge is long.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BorderPair {
-    pub(super) pair: Pair,
+    pub pair: Pair,
     /// Direction of the level's edge, a unit vector.
-    pub(super) along: DVec3,
+    pub along: DVec3,
 }
 
 /// All pairs between a level and the original.
 pub(super) struct Pairs {
-    pub(super) of_surfaces: Vec<Pair>,
-    pub(super) of_borders: Vec<BorderPair>,
+    pub of_surfaces: Vec<Pair>,
+    pub of_borders: Vec<BorderPair>,
 }
 
 impl Pairs {
@@ -112,9 +112,9 @@ impl Sample {
 
 /// Finds the pairs of a level while its vertices move.
 pub(super) struct Pairing {
-    pub(super) original: Surface,
+    pub original: Surface,
     /// The level as it was when pairs were last found.
-    pub(super) level: Surface,
+    pub level: Surface,
     borders: Borders,
     level_sides: Vec<u32>,
     of_original: Vec<Sample>,

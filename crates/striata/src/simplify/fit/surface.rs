@@ -14,18 +14,18 @@ const REACH_SHARE: f64 = 0.005;
 /// A point of a triangle, by the shares of its corners.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SurfacePoint {
-    pub(super) triangle: u32,
-    pub(super) shares: [f64; 3],
+    pub triangle: u32,
+    pub shares: [f64; 3],
 }
 
 /// The triangles of a mesh, or its edges as triangles without area.
 pub(super) struct Surface {
-    pub(super) tree: TriangleTree,
-    pub(super) corners: Vec<[DVec3; 3]>,
-    pub(super) triangles: Vec<[u32; 3]>,
-    pub(super) vertex_count: usize,
+    pub tree: TriangleTree,
+    pub corners: Vec<[DVec3; 3]>,
+    pub triangles: Vec<[u32; 3]>,
+    pub vertex_count: usize,
     /// Normals of the triangles, as long as twice their area.
-    pub(super) normals: Vec<DVec3>,
+    pub normals: Vec<DVec3>,
     reach: f64,
 }
 

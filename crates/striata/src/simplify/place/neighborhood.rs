@@ -23,17 +23,17 @@ pub(super) type SeamWeight<'a> = &'a dyn Fn([u32; 2], DVec3) -> Option<f64>;
 /// Scratch for the star of one position at a time; vectors are relative to its center.
 #[derive(Debug, Default)]
 pub(super) struct Neighborhood {
-    pub(super) center: DVec3,
+    pub center: DVec3,
     /// Neighbors, each once.
-    pub(super) ids: Vec<u32>,
-    pub(super) offsets: Vec<DVec3>,
+    pub ids: Vec<u32>,
+    pub offsets: Vec<DVec3>,
     /// Corners of each triangle as indices into `ids`, and the triangle's index if the links store it.
-    pub(super) triangles: Vec<LinkEdge>,
+    pub triangles: Vec<LinkEdge>,
     /// Unscaled normals of the triangles.
     normals: Vec<DVec3>,
     /// Indices of neighbors along a border of any kind: boundary, seam that must stay, edge with three
     /// triangles.
-    pub(super) borders: Vec<u32>,
+    pub borders: Vec<u32>,
     /// Indices of neighbors along a seam that may be crossed, and the weight of leaving its path.
     seams: Vec<(u32, f64)>,
 }

@@ -22,8 +22,8 @@ const NONE: u32 = u32::MAX;
 
 /// The mesh and its fragments in refinement order, and for each vertex its row in the log.
 pub(super) struct PlacedMesh {
-    pub(super) fragmented: FragmentedMesh,
-    pub(super) rows: Vec<u32>,
+    pub fragmented: FragmentedMesh,
+    pub rows: Vec<u32>,
 }
 
 /// Returns the merges of each step.

@@ -12,10 +12,10 @@ use crate::simplify::options::SeamRule;
 /// Merge of the two ends of an edge.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Merge {
-    pub(super) removed: u32,
-    pub(super) kept: u32,
+    pub removed: u32,
+    pub kept: u32,
     /// Place of the new position along the edge, from 0 at `kept` to 1 at `removed`.
-    pub(super) share: f64,
+    pub share: f64,
 }
 
 /// Costs of crossing seams at an edge, evaluated when needed.

@@ -74,35 +74,35 @@ pub(super) enum Filling {
 /// A possible removal; its triangles are in the evaluator's `floor`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RemovalCandidate {
-    pub(super) cost: f32,
-    pub(super) filling: Filling,
+    pub cost: f32,
+    pub filling: Filling,
     /// Largest squared distance that the cost includes.
-    pub(super) worst: f32,
+    pub worst: f32,
 }
 
 /// The current mesh and everything needed to evaluate removals on it.
 pub(super) struct RemovalEvaluator<'a> {
-    pub(super) options: &'a RemovalOptions,
+    pub options: &'a RemovalOptions,
     /// Positions, links, wedges and the star, and costs of relaxed collapses.
-    pub(super) collapse_evaluator: CostEvaluator<'a>,
+    pub collapse_evaluator: CostEvaluator<'a>,
     /// Collapses that are tried if no other removal is allowed.
-    pub(super) phase: CollapsePhase,
+    pub phase: CollapsePhase,
     /// Group of each face.
-    pub(super) groups: Vec<u32>,
-    pub(super) points: TrackedVertices,
-    pub(super) hole: Hole,
+    pub groups: Vec<u32>,
+    pub points: TrackedVertices,
+    pub hole: Hole,
     /// Cosine of the angle between normals beyond which an edge is a feature.
-    pub(super) feature_cosine: Option<f32>,
+    pub feature_cosine: Option<f32>,
     has_wedges: bool,
     /// Whether the star loaded last has one vertex at each position and lies in one group.
     is_plain: bool,
     /// The vertices of the ring, if `is_plain`.
     ring_vertices: Vec<u32>,
     /// Triangles that fill the hole, as indices into the star.
-    pub(super) floor: Vec<RingTriangle>,
+    pub floor: Vec<RingTriangle>,
     /// Corners of the floor's triangles, relative to the removed vertex.
-    pub(super) floor_corners: Vec<[Vec3; 3]>,
-    pub(super) best_floor: Vec<RingTriangle>,
+    pub floor_corners: Vec<[Vec3; 3]>,
+    pub best_floor: Vec<RingTriangle>,
 }
 
 impl<'a> RemovalEvaluator<'a> {

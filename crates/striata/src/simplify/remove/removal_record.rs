@@ -12,32 +12,32 @@ use super::removal_options::BuiltFragments;
 #[derive(Debug, Default)]
 pub(super) struct RemovalRecord {
     /// Removed positions.
-    pub(super) removed: Vec<u32>,
+    pub removed: Vec<u32>,
     /// Indices of the faces around each removed position, step by step.
-    pub(super) ceilings: Vec<u32>,
+    pub ceilings: Vec<u32>,
     /// End of each step's range in `ceilings`.
-    pub(super) ceiling_ends: Vec<u32>,
+    pub ceiling_ends: Vec<u32>,
     /// End of the range of faces that each step adds.
-    pub(super) face_ends: Vec<u32>,
+    pub face_ends: Vec<u32>,
     /// Error of each step's floor, mesh units.
-    pub(super) errors: Vec<f32>,
+    pub errors: Vec<f32>,
     /// The vertex that each vertex collapses to, if all steps are collapses.
-    pub(super) targets: Option<Vec<u32>>,
+    pub targets: Option<Vec<u32>>,
     /// Whether some step has an empty floor but a ceiling.
-    pub(super) has_vanished: bool,
+    pub has_vanished: bool,
 }
 
 /// State at the end of the loop.
 pub(super) struct Outcome {
-    pub(super) record: RemovalRecord,
-    pub(super) faces: Faces,
-    pub(super) stop_reason: StopReason,
+    pub record: RemovalRecord,
+    pub faces: Faces,
+    pub stop_reason: StopReason,
 }
 
 /// All faces that ever existed, by index, in the numbering of the welded mesh.
 pub(super) struct Faces {
-    pub(super) corners: Vec<[u32; 3]>,
-    pub(super) groups: Vec<u32>,
+    pub corners: Vec<[u32; 3]>,
+    pub groups: Vec<u32>,
 }
 
 impl Outcome {

@@ -11,13 +11,13 @@ const NONE: u32 = u32::MAX;
 /// A removed vertex near the current star.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TrackedVertex {
-    pub(super) position: u32,
+    pub position: u32,
     /// Position relative to the star's center.
-    pub(super) at: Vec3,
+    pub at: Vec3,
     /// Area that it represents, scaled units.
-    pub(super) weight: f32,
+    pub weight: f32,
     /// Squared distance from the current surface.
-    pub(super) before: f32,
+    pub before: f32,
 }
 
 /// Removed vertices by face, as linked lists.
@@ -30,7 +30,7 @@ pub(super) struct TrackedVertices {
     weight: Vec<f32>,
     distance_squared: Vec<f32>,
     /// The vertices of the star loaded last, followed by its center.
-    pub(super) loaded: Vec<TrackedVertex>,
+    pub loaded: Vec<TrackedVertex>,
 }
 
 impl TrackedVertices {

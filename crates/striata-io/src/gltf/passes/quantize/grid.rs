@@ -95,8 +95,8 @@ pub(in crate::gltf::passes) fn grids(
 /// Axis-aligned box.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Box3 {
-    pub(super) min: [f32; 3],
-    pub(super) max: [f32; 3],
+    pub min: [f32; 3],
+    pub max: [f32; 3],
 }
 
 impl Box3 {

@@ -10,9 +10,9 @@ pub(super) const PERMANENT: u32 = u32::MAX;
 /// A triangle, the step that creates it when it is collapsed, and its group.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct HistoryTriangle {
-    pub(super) corners: [u32; 3],
-    pub(super) creator: u32,
-    pub(super) group: u32,
+    pub corners: [u32; 3],
+    pub creator: u32,
+    pub group: u32,
 }
 
 /// The triangles of all levels; each belongs to the entry of its newest vertex.
@@ -23,9 +23,9 @@ pub(super) struct History {
     firsts: Vec<u32>,
     entries: Vec<u32>,
     /// Pairs of a step and a later one that it waits for although that one creates no triangle of its entry.
-    pub(super) waits: Vec<[u32; 2]>,
+    pub waits: Vec<[u32; 2]>,
     /// Pairs of a step and another one that restores a position of its floor but not of its star.
-    pub(super) far: Vec<[u32; 2]>,
+    pub far: Vec<[u32; 2]>,
 }
 
 impl History {

@@ -24,7 +24,7 @@ use crate::model::step_bits::StepBits;
 /// The records of all vertices.
 #[derive(Clone, Debug)]
 pub(super) struct QuickTable {
-    pub(super) records: Records,
+    pub records: Records,
     /// Group of each vertex; empty if there is only one group.
     groups: Box<[u16]>,
     /// Step of each vertex plus 1, or 0 in the base; empty if each step has one vertex.

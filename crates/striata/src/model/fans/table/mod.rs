@@ -56,11 +56,11 @@ pub(super) struct Table {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TableArrays<'a> {
     /// Encoded entries of all vertices.
-    pub(super) entries: &'a [u8],
+    pub entries: &'a [u8],
     /// Offset of each block of vertices, or of each vertex if `starts` is empty.
-    pub(super) blocks: &'a [u32],
+    pub blocks: &'a [u32],
     /// Offset of each vertex from the start of its block.
-    pub(super) starts: &'a [u16],
+    pub starts: &'a [u16],
 }
 
 impl Table {

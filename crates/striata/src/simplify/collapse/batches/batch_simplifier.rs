@@ -27,42 +27,42 @@ use super::select::{Selection, keep_cheapest};
 /// All batches of a mesh.
 pub(super) struct Outcome {
     /// The collapses, finest first.
-    pub(super) record: CollapseRecord,
+    pub record: CollapseRecord,
     /// Number of collapses applied at the end of each batch.
-    pub(super) ends: Vec<u32>,
-    pub(super) stop_reason: StopReason,
+    pub ends: Vec<u32>,
+    pub stop_reason: StopReason,
 }
 
 /// Complete state of one simplification in batches.
 pub(super) struct BatchSimplifier<'a> {
-    pub(super) options: &'a BatchOptions,
-    pub(super) evaluator: CostEvaluator<'a>,
-    pub(super) executor: CollapseExecutor,
+    pub options: &'a BatchOptions,
+    pub evaluator: CostEvaluator<'a>,
+    pub executor: CollapseExecutor,
     bias: BatchBias,
-    pub(super) schedule: RelaxationSchedule<'a>,
+    pub schedule: RelaxationSchedule<'a>,
     /// The best target of each position, if there is one; entries of changed positions are out of date.
-    pub(super) choices: Vec<Option<CollapseChoice>>,
+    pub choices: Vec<Option<CollapseChoice>>,
     /// Positions whose choice only a general batch can apply.
-    pub(super) is_general: Vec<bool>,
+    pub is_general: Vec<bool>,
     /// Positions that a surface batch may remove: manifold after the last general batch, and not locked.
-    pub(super) is_removable: Vec<bool>,
+    pub is_removable: Vec<bool>,
     /// Positions whose stars have changed, each once.
     changed: Vec<u32>,
     is_changed: Vec<bool>,
     candidates: Vec<(f32, u32)>,
     /// Choices that wait for a general batch and cost no more than the last batch's candidates.
-    pub(super) deferred: Vec<(f32, u32)>,
+    pub deferred: Vec<(f32, u32)>,
     /// Largest cost of the last batch's candidates.
-    pub(super) max_cost: f32,
+    pub max_cost: f32,
     /// Number of positions left after the last general batch.
-    pub(super) left_after_general: usize,
+    pub left_after_general: usize,
     selection: Selection,
     /// Whether each position is a copy of the previous one, in the same place.
     is_copy: Vec<bool>,
     /// Whether the last batch found choices that are no longer allowed.
     was_out_of_date: bool,
     ends: Vec<u32>,
-    pub(super) error: f32,
+    pub error: f32,
 }
 
 impl<'a> BatchSimplifier<'a> {

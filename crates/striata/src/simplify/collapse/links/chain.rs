@@ -5,8 +5,8 @@ use super::edge::{LinkEdge, LinkKind};
 /// Scratch for ordering link edges, and the result.
 #[derive(Debug, Default)]
 pub(super) struct Chain {
-    pub(super) entries: Vec<u32>,
-    pub(super) triangles: Vec<u32>,
+    pub entries: Vec<u32>,
+    pub triangles: Vec<u32>,
     order: Vec<u32>,
 }
 

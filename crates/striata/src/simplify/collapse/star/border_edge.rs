@@ -18,11 +18,11 @@ pub(super) enum BorderKind {
 /// An edge of the star that lies on a border.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BorderEdge {
-    pub(super) neighbor: u32,
-    pub(super) kind: BorderKind,
+    pub neighbor: u32,
+    pub kind: BorderKind,
     /// Squared difference of the attributes on both sides of a seam; infinite for other borders and for
     /// seams that must stay.
-    pub(super) difference_squared: f32,
+    pub difference_squared: f32,
 }
 
 impl BorderEdge {

@@ -46,9 +46,9 @@ pub(super) fn lane_sum(sums: f32x4) -> f32 {
 /// Eight 3D vectors.
 #[derive(Clone, Copy)]
 pub(super) struct Vec3x8 {
-    pub(super) x: f32x8,
-    pub(super) y: f32x8,
-    pub(super) z: f32x8,
+    pub x: f32x8,
+    pub y: f32x8,
+    pub z: f32x8,
 }
 
 impl Vec3x8 {

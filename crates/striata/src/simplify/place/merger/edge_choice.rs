@@ -10,14 +10,14 @@ pub(super) const UNDECIDED: u32 = u32::MAX;
 /// An edge collapse whose cost has been evaluated in full.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EdgeChoice {
-    pub(super) other: u32,
-    pub(super) other_version: u32,
+    pub other: u32,
+    pub other_version: u32,
     /// Whether the other end is removed and this one kept.
-    pub(super) is_kept: bool,
-    pub(super) position: DVec3,
-    pub(super) kind: CollapseKind,
+    pub is_kept: bool,
+    pub position: DVec3,
+    pub kind: CollapseKind,
     /// Squared distance that a relaxed collapse leaves.
-    pub(super) distance_squared: f32,
+    pub distance_squared: f32,
 }
 
 pub(super) const NO_CHOICE: EdgeChoice = EdgeChoice {

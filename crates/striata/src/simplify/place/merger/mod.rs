@@ -39,7 +39,7 @@ struct StarData {
 /// Complete state of one simplification.
 pub(super) struct Merger<'a> {
     welded: &'a Welded,
-    pub(super) space: ScaledSpace,
+    pub space: ScaledSpace,
     positions: Vec<DVec3>,
     evaluator: CostEvaluator<'a>,
     seams: SeamRule,
