@@ -2,7 +2,7 @@
 //!
 //! The package is `python/striata`; it converts what users pass (arrays of any kind, meshes of other packages)
 //! and calls the module `striata._striata`, which this crate builds with the feature `python`. Without that
-//! feature only [`sources`], [`one_level`] and [`levels`] are compiled, which need no Python and are tested like
+//! feature only [`sources`] and [`one_level`] are compiled, which need no Python and are tested like
 //! any other crate.
 //!
 //! In reading order: `sources` says which vertex of the input each vertex of a level comes from, `one_level`

@@ -187,7 +187,7 @@ impl LodData {
 
     fn strip_level(&self, py: Python<'_>) -> Outcome<StripLevelData> {
         let data = self.clone();
-        job::run(py, self.size(), None, move |progress| {
+        job::run(py, self.size(), None, move |_| {
             data.take_strips(&data.lod)?;
             Ok(data.lod.strip_level(Target::Detail(1.0)).map_err(value_error)?.into())
         })
