@@ -77,6 +77,8 @@ mod connectivity;
 #[doc(hidden)]
 pub mod entropy;
 mod format;
+#[cfg_attr(not(test), expect(dead_code, reason = "the writer and reader of fragments follow"))]
+mod fragments;
 mod general;
 pub mod growing;
 mod layers;
