@@ -11,6 +11,8 @@
 //! | --- | --- |
 //! | `faces.rs` | [`Faces`](faces::Faces): the triangles of a level, and which one lies across a side |
 //! | `record.rs` | [`FragmentCoder`](record::FragmentCoder): codes fragments, for writer and reader |
+//! | `values.rs` | [`ValueCoder`](values::ValueCoder): codes positions and attributes of the restored vertices |
 
 pub(crate) mod faces;
 pub(crate) mod record;
+pub(crate) mod values;

@@ -1,12 +1,14 @@
 //! Codes fragments one after another; writer and reader run the same code.
 
+use std::collections::HashMap;
+
 use striata::mesh::Face;
 
 use super::faces::{Faces, sides_of};
 use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, code_uniform};
 
-/// Most vertices that a step restores, and most triangles of its floor and its ceiling.
-const MOST: usize = 1 << 16;
+/// Most vertices that a step restores.
+const MOST_OWN: u32 = 1 << 16;
 
 /// A fragment as both sides know it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -27,6 +29,9 @@ pub(crate) struct NoFragment;
 #[derive(Clone, Debug)]
 pub(crate) struct FragmentCoder {
     pub(crate) faces: Faces,
+    marks: Marks,
+    /// How many triangles floors and ceilings may still have: a bound for the work that few bytes can ask for.
+    triangles_left: u64,
     vertex_count: u32,
     group_count: u32,
     own_count: AdaptiveNumber,
@@ -62,6 +67,8 @@ impl FragmentCoder {
         }
         let bit = AdaptiveBit::new(Rate::Steady);
         Self {
+            triangles_left: 0,
+            marks: Marks::default(),
             faces,
             vertex_count,
             group_count: group_count.max(1),
@@ -78,6 +85,12 @@ impl FragmentCoder {
         }
     }
 
+    /// Allows floors and ceilings this many triangles in all, besides 4096.
+    pub(crate) fn with_triangle_limit(mut self, triangles: u64) -> Self {
+        self.triangles_left = triangles.saturating_add(4096);
+        self
+    }
+
     /// Codes the next fragment and applies it. A reader passes a default fragment.
     ///
     /// # Errors
@@ -88,7 +101,7 @@ impl FragmentCoder {
         actual: &CodedFragment,
     ) -> Result<CodedFragment, NoFragment> {
         let own_count = self.own_count.unsigned(coder, 0, actual.own_count.wrapping_sub(1)).wrapping_add(1);
-        if own_count == 0 || own_count as usize > MOST || own_count > u32::MAX - self.vertex_count {
+        if own_count == 0 || own_count > MOST_OWN || own_count > u32::MAX - self.vertex_count {
             return Err(NoFragment);
         }
         let floor = self.code_floor(coder, &actual.floor)?;
@@ -100,6 +113,8 @@ impl FragmentCoder {
         } else {
             self.code_star(coder, &border, &owns, star.unwrap_or_default())
         };
+        let triangles = (floor.len() + ceiling.len()) as u64;
+        self.triangles_left = self.triangles_left.checked_sub(triangles).ok_or(NoFragment)?;
         floor.iter().for_each(|&face| self.faces.remove(face));
         for &face in &ceiling {
             self.faces.push(face);
@@ -111,40 +126,42 @@ impl FragmentCoder {
     /// Codes which triangles a fragment replaces: connected parts, each from one of its triangles on.
     fn code_floor<C: Coder>(&mut self, coder: &mut C, actual: &[u32]) -> Result<Vec<u32>, NoFragment> {
         let mut floor: Vec<u32> = Vec::new();
+        self.marks.begin(actual);
+        let mut left = actual.iter();
         loop {
-            let left = actual.iter().find(|face| !floor.contains(face)).copied();
-            let has_more = self.has_more_floor[usize::from(!floor.is_empty())].code(coder, left.is_some());
+            let next = left.find(|&&face| !self.marks.is_found(face)).copied();
+            let has_more = self.has_more_floor[usize::from(!floor.is_empty())].code(coder, next.is_some());
             if !has_more {
                 return Ok(floor);
             }
             if self.faces.len() == 0 {
                 return Err(NoFragment);
             }
-            let place = left.map_or(0, |face| self.faces.place_of(face));
+            let place = next.map_or(0, |face| self.faces.place_of(face));
             let first = self.faces.in_place(code_uniform(coder, self.faces.len(), place));
-            if floor.contains(&first) || floor.len() >= MOST {
+            if self.marks.is_found(first) {
                 return Err(NoFragment);
             }
+            self.marks.find(first);
             floor.push(first);
             let mut waiting: Vec<[u32; 2]> = sides_of(self.faces.get(first).corners).to_vec();
             let mut next = 0;
             while let Some(&[a, b]) = waiting.get(next) {
                 next += 1;
-                let Some(across) = self.faces.with_side([b, a]).filter(|face| !floor.contains(face)) else {
-                    continue;
-                };
+                let across = self.faces.with_side([b, a]).filter(|&face| !self.marks.is_found(face));
+                let Some(across) = across else { continue };
                 let known = floor.len().min(8);
                 let more = (waiting.len() - next).min(7);
-                if !self.continues[known][more].code(coder, actual.contains(&across)) {
+                if !self.continues[known][more].code(coder, self.marks.is_wanted(across)) {
                     continue;
                 }
-                if floor.len() >= MOST {
+                if floor.len() as u64 >= self.triangles_left {
                     return Err(NoFragment);
                 }
+                self.marks.find(across);
                 floor.push(across);
-                waiting.extend(
-                    sides_of(self.faces.get(across).corners).into_iter().filter(|&side| side != [b, a]),
-                );
+                let sides = sides_of(self.faces.get(across).corners).into_iter();
+                waiting.extend(sides.filter(|&side| side != [b, a]));
             }
         }
     }
@@ -212,7 +229,7 @@ impl FragmentCoder {
         actual: &[Face],
     ) -> Result<Vec<Face>, NoFragment> {
         let count = self.listed_count.unsigned(coder, 0, actual.len() as u32) as usize;
-        if count > MOST {
+        if count as u64 > self.triangles_left {
             return Err(NoFragment);
         }
         let mut known: Vec<u32> =
@@ -257,13 +274,62 @@ impl FragmentCoder {
     }
 }
 
+/// Marks of triangles for the floor of one fragment after another.
+#[derive(Clone, Debug, Default)]
+struct Marks {
+    fragment: u32,
+    /// For each triangle, the last fragment that wants it in its floor, and the last one that it was found for.
+    of_faces: Vec<[u32; 2]>,
+}
+
+impl Marks {
+    fn begin(&mut self, wanted: &[u32]) {
+        self.fragment += 1;
+        wanted.iter().for_each(|&face| self.slot(face)[0] = self.fragment);
+    }
+
+    fn slot(&mut self, face: u32) -> &mut [u32; 2] {
+        if self.of_faces.len() <= face as usize {
+            self.of_faces.resize(face as usize + 1, [0; 2]);
+        }
+        &mut self.of_faces[face as usize]
+    }
+
+    fn find(&mut self, face: u32) {
+        let fragment = self.fragment;
+        self.slot(face)[1] = fragment;
+    }
+
+    fn is_wanted(&self, face: u32) -> bool {
+        self.of_faces.get(face as usize).is_some_and(|marks| marks[0] == self.fragment)
+    }
+
+    fn is_found(&self, face: u32) -> bool {
+        self.of_faces.get(face as usize).is_some_and(|marks| marks[1] == self.fragment)
+    }
+}
+
 /// Orders sides so that each begins where the one before ends, as far as possible, and otherwise as they are.
-fn chained(mut sides: Vec<BorderSide>) -> Vec<BorderSide> {
+fn chained(sides: Vec<BorderSide>) -> Vec<BorderSide> {
+    let mut from: HashMap<u32, Vec<usize>> = HashMap::new();
+    for (at, side) in sides.iter().enumerate().rev() {
+        from.entry(side.side[0]).or_default().push(at);
+    }
+    let mut is_out = vec![false; sides.len()];
     let mut out: Vec<BorderSide> = Vec::with_capacity(sides.len());
-    while !sides.is_empty() {
-        let end = out.last().map(|side| side.side[1]);
-        let next = sides.iter().position(|side| Some(side.side[0]) == end).unwrap_or(0);
-        out.push(sides.remove(next));
+    for first in 0..sides.len() {
+        let mut next = (!is_out[first]).then_some(first);
+        while let Some(at) = next {
+            is_out[at] = true;
+            out.push(sides[at]);
+            let after = from.get_mut(&sides[at].side[1]);
+            next = after.and_then(|places| {
+                while places.last().is_some_and(|&place| is_out[place]) {
+                    places.pop();
+                }
+                places.pop()
+            });
+        }
     }
     out
 }
@@ -278,18 +344,24 @@ struct Star {
 
 /// Returns a ceiling as a star, if it is one.
 fn star_of(border: &[BorderSide], owns: &[u32], ceiling: &[Face]) -> Option<Star> {
-    let mut left: Vec<Face> = ceiling.to_vec();
+    let mut with_side: HashMap<[u32; 2], Vec<usize>> = HashMap::new();
+    for (at, face) in ceiling.iter().enumerate() {
+        sides_of(face.corners).into_iter().for_each(|side| with_side.entry(side).or_default().push(at));
+    }
+    let mut is_left = vec![true; ceiling.len()];
     let mut sides = Vec::with_capacity(border.len());
-    for &BorderSide { side: [a, b], .. } in border {
-        let on_side = left.iter().enumerate().find_map(|(at, face)| {
-            let [_, _, third] = *rotations(face.corners).iter().find(|corners| corners[..2] == [a, b])?;
-            (third >= owns[0]).then_some((at, Face { corners: [a, b, third], group: face.group }))
-        });
-        sides.push(on_side.map(|(at, face)| {
-            left.swap_remove(at);
-            face
+    for &BorderSide { side, .. } in border {
+        let third =
+            |at: usize| ceiling[at].corners.into_iter().find(|v| !side.contains(v)).filter(|&v| v >= owns[0]);
+        let places = with_side.get(&side).map_or(&[][..], Vec::as_slice);
+        let found = places.iter().find_map(|&at| Some((at, third(at).filter(|_| is_left[at])?)));
+        sides.push(found.map(|(at, third)| {
+            is_left[at] = false;
+            Face { corners: [side[0], side[1], third], group: ceiling[at].group }
         }));
     }
+    let left: Vec<Face> =
+        ceiling.iter().zip(&is_left).filter(|(_, is_left)| **is_left).map(|(face, _)| *face).collect();
     let has_bridges = !left.is_empty();
     if has_bridges {
         let mut bridges = bridges_of(&sides);
@@ -384,7 +456,9 @@ mod tests {
     fn new_coder(fragmented: &FragmentedMesh) -> FragmentCoder {
         let fragments = &fragmented.fragments;
         let vertex_count = fragments.levels().vertex_count_at(0) as u32;
+        let triangles = fragments.faces().len() as u64;
         FragmentCoder::new(base_of(fragments), vertex_count, fragmented.mesh.groups.len() as u32)
+            .with_triangle_limit(2 * triangles)
     }
 
     fn check(name: &str, fragmented: &FragmentedMesh) -> f64 {

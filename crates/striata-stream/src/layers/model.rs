@@ -121,7 +121,7 @@ impl LayerModel {
 }
 
 /// Returns the part of the stream to which a layer's bits are attributed.
-fn part_of(form: &LayerForm) -> Part {
+pub(crate) fn part_of(form: &LayerForm) -> Part {
     match form.semantic {
         Semantic::Normal => Part::Normals,
         Semantic::TexCoord(_) => Part::TexCoords,
