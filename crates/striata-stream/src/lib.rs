@@ -77,7 +77,6 @@ mod connectivity;
 #[doc(hidden)]
 pub mod entropy;
 mod format;
-#[cfg_attr(not(test), expect(dead_code, reason = "the writer and reader of fragments follow"))]
 mod fragments;
 mod general;
 pub mod growing;
@@ -105,6 +104,7 @@ pub use writer::encode::{
     EncodedStream, Precision, SHAPE_STEPS, StreamOptions, StreamSizes, encode_stream,
     encode_stream_with_progress,
 };
+pub use writer::fragments::{encode_fragments, encode_fragments_with_progress};
 
 /// Compiles the README's example with the documentation tests.
 #[cfg(doctest)]

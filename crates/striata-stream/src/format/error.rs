@@ -139,6 +139,12 @@ pub enum StreamDefect {
         /// Index of the step, from 0.
         step: usize,
     },
+    /// The bits of a step are no fragment of the level before.
+    #[error("step {step} is no fragment of the level before it")]
+    Fragment {
+        /// Index of the step, from 0.
+        step: usize,
+    },
     /// A batch splits no vertex, so the stream would never end.
     #[error("batch {batch} splits no vertex")]
     EmptyBatch {

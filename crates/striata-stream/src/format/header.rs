@@ -6,7 +6,7 @@
 //! 5   u8       effort
 //! 6   u16      flags; bit 0: positions are exact; bit 1: there are general batches;
 //!              bit 2: positions have an origin, three f64 after the grid;
-//!              bit 3: data of triangles follow the chunks
+//!              bit 3: data of triangles follow the chunks; bit 4: steps are fragments
 //! 8   u32      length of the header, including these 16 bytes
 //! 12  u32      CRC-32 of the header without this field
 //! 16           counts, grid, layers, groups, appearance, metadata, chunks, data of triangles
@@ -30,6 +30,7 @@ const EXACT_FLAG: u16 = 1;
 const GENERAL_FLAG: u16 = 2;
 const ORIGIN_FLAG: u16 = 4;
 const TRIANGLE_DATA_FLAG: u16 = 8;
+const FRAGMENTS_FLAG: u16 = 16;
 /// A chunk of `n` bytes contains at most `n + 1` times this number of splits. A writer that needs fewer
 /// bytes appends zeros.
 const MAX_SPLITS_PER_BYTE: u64 = 256;
@@ -39,6 +40,15 @@ const MAX_BASE_TRIANGLES_PER_BYTE: u32 = 256;
 /// The first `n` bytes of all chunks together create at most `n + 1` times this number of vertices beyond
 /// one per position.
 const MAX_EXTRA_WEDGES_PER_BYTE: u64 = 256;
+
+/// The first `n` bytes of all chunks together exchange at most `n + 1` times this number of triangles, if steps are
+/// fragments.
+const MAX_EXCHANGED_PER_BYTE: u64 = 256;
+
+/// Returns the minimum total length of all chunks of fragments that exchange this number of triangles.
+pub(crate) fn min_bytes_of_fragments(triangles: u32) -> usize {
+    (u64::from(triangles) / MAX_EXCHANGED_PER_BYTE) as usize
+}
 
 /// Maximum number of components per vertex in all layers together: each of them has its own models.
 pub(crate) const MAX_COMPONENTS: usize = 4096;
@@ -90,7 +100,11 @@ pub(crate) struct StreamHeader {
     pub vertex_count: u32,
     pub triangle_count: u32,
     pub step_count: u32,
+    /// Largest number of triangles that a split moves; if steps are fragments, the number of triangles of all floors and
+    /// ceilings.
     pub max_patch: u32,
+    /// Whether steps are fragments instead of vertex splits.
+    pub has_fragments: bool,
     /// Whether the stream may contain general batches.
     pub has_general: bool,
     pub grid: PositionGrid,
@@ -163,6 +177,7 @@ impl StreamHeader {
             (self.has_general, GENERAL_FLAG),
             (has_origin, ORIGIN_FLAG),
             (self.triangle_data.is_some(), TRIANGLE_DATA_FLAG),
+            (self.has_fragments, FRAGMENTS_FLAG),
         ];
         let flags = flags.iter().filter(|(is_set, _)| *is_set).fold(0, |all, (_, flag)| all | flag);
         out.extend(flags.to_le_bytes());
@@ -244,7 +259,8 @@ impl StreamHeader {
         };
         let flags = reader.bytes(2)?;
         let flags = u16::from_le_bytes([flags[0], flags[1]]);
-        if flags & !(EXACT_FLAG | GENERAL_FLAG | ORIGIN_FLAG | TRIANGLE_DATA_FLAG) != 0 {
+        let known = EXACT_FLAG | GENERAL_FLAG | ORIGIN_FLAG | TRIANGLE_DATA_FLAG | FRAGMENTS_FLAG;
+        if flags & !known != 0 {
             return Err(reader.malformed("unknown flags"));
         }
         reader.bytes(8)?;
@@ -282,6 +298,13 @@ impl StreamHeader {
         if u64::from(vertex_count - position_count) > max_extra_wedges(chunk_bytes) {
             return Err(reader.malformed("there are more vertices than the length of the chunks allows"));
         }
+        let has_fragments = flags & FRAGMENTS_FLAG != 0;
+        if has_fragments && u64::from(max_patch) > MAX_EXCHANGED_PER_BYTE * (chunk_bytes + 1) {
+            return Err(reader.malformed("there are more triangles than the length of the chunks allows"));
+        }
+        if has_fragments && (has_triangle_data || flags & GENERAL_FLAG != 0) {
+            return Err(reader.malformed("fragments with general batches or data of triangles"));
+        }
         if groups.iter().filter_map(|g| g.material).any(|m| m as usize >= appearance.materials.len()) {
             return Err(reader.malformed("a group has an unknown material"));
         }
@@ -291,6 +314,7 @@ impl StreamHeader {
             effort,
             is_exact: flags & EXACT_FLAG != 0,
             has_general: flags & GENERAL_FLAG != 0,
+            has_fragments,
             position_count,
             vertex_count,
             triangle_count,

@@ -91,7 +91,7 @@ impl FragmentCoder {
         self
     }
 
-    /// Codes the next fragment and applies it. A reader passes a default fragment.
+    /// Codes the next fragment, which [`apply`](Self::apply) then applies. A reader passes a default fragment.
     ///
     /// # Errors
     /// If the bits are no fragment of the level.
@@ -113,14 +113,18 @@ impl FragmentCoder {
         } else {
             self.code_star(coder, &border, &owns, star.unwrap_or_default())
         };
-        let triangles = (floor.len() + ceiling.len()) as u64;
-        self.triangles_left = self.triangles_left.checked_sub(triangles).ok_or(NoFragment)?;
-        floor.iter().for_each(|&face| self.faces.remove(face));
-        for &face in &ceiling {
+        Ok(CodedFragment { own_count, floor, ceiling })
+    }
+
+    /// Replaces triangles of the level as a fragment says that was coded last.
+    pub(crate) fn apply(&mut self, fragment: &CodedFragment) {
+        fragment.floor.iter().for_each(|&face| self.faces.remove(face));
+        for &face in &fragment.ceiling {
             self.faces.push(face);
         }
-        self.vertex_count += own_count;
-        Ok(CodedFragment { own_count, floor, ceiling })
+        self.vertex_count += fragment.own_count;
+        let triangles = (fragment.floor.len() + fragment.ceiling.len()) as u64;
+        self.triangles_left = self.triangles_left.saturating_sub(triangles);
     }
 
     /// Codes which triangles a fragment replaces: connected parts, each from one of its triangles on.
@@ -436,6 +440,7 @@ mod tests {
                 ceiling: fragments.ceiling(step).map(face).collect(),
             };
             let coded = coder.code(&mut writer, &actual).expect("a fragment");
+            coder.apply(&coded);
             for &created in &coded.ceiling {
                 number_of.entry(key(created)).or_default().push(next);
                 next += 1;
@@ -467,7 +472,8 @@ mod tests {
         let mut reader = RangeReader::new(&bytes, true);
         let steps = fragmented.fragments.step_count();
         for step in 0..steps {
-            coder.code(&mut reader, &CodedFragment::default()).expect("a fragment");
+            let fragment = coder.code(&mut reader, &CodedFragment::default()).expect("a fragment");
+            coder.apply(&fragment);
             if steps < 300 || step % 97 == 0 || step + 1 == steps {
                 let shown: Vec<[u32; 3]> = (0..coder.faces.len())
                     .map(|at| coder.faces.get(coder.faces.in_place(at)).corners)
@@ -531,8 +537,9 @@ mod tests {
                 let mut coder = new_coder(&fragmented);
                 let mut reader = RangeReader::new(&damaged[..], false);
                 for _ in 0..fragmented.fragments.step_count() {
-                    if coder.code(&mut reader, &CodedFragment::default()).is_err() || reader.overran() {
-                        break;
+                    match coder.code(&mut reader, &CodedFragment::default()) {
+                        Ok(fragment) if !reader.overran() => coder.apply(&fragment),
+                        _ => break,
                     }
                 }
             }

@@ -17,6 +17,19 @@ pub(crate) struct VertexValues {
     pub(crate) integers: Vec<Vec<i32>>,
 }
 
+impl VertexValues {
+    /// The values of the first vertices.
+    pub(crate) fn first(&self, vertex_count: usize, forms: &[LayerForm]) -> Self {
+        let of_layer =
+            |(all, form): (&Vec<i32>, &LayerForm)| all[..vertex_count * form.integer_count()].to_vec();
+        Self {
+            points: self.points[..vertex_count].to_vec(),
+            positions: self.positions[..vertex_count].to_vec(),
+            integers: self.integers.iter().zip(forms).map(of_layer).collect(),
+        }
+    }
+}
+
 /// Models of values, and the values that were coded.
 #[derive(Clone, Debug)]
 pub(crate) struct ValueCoder {
@@ -85,6 +98,15 @@ impl ValueCoder {
             }
         }
         Ok(())
+    }
+
+    /// Forgets all vertices but the first ones.
+    pub(crate) fn truncate(&mut self, vertex_count: usize) {
+        self.values.points.truncate(vertex_count);
+        self.values.positions.truncate(vertex_count);
+        for (values, count) in self.values.integers.iter_mut().zip(&self.integer_counts) {
+            values.truncate(vertex_count * count);
+        }
     }
 
     fn code_position<C: Coder>(
@@ -174,15 +196,6 @@ mod tests {
         }
     }
 
-    fn first_values(values: &VertexValues, count: usize, forms: &[LayerForm]) -> VertexValues {
-        let integers = values.integers.iter().zip(forms);
-        VertexValues {
-            points: values.points[..count].to_vec(),
-            positions: values.positions[..count].to_vec(),
-            integers: integers.map(|(all, form)| all[..count * form.integer_count()].to_vec()).collect(),
-        }
-    }
-
     #[test]
     fn positions_and_layers_come_back() {
         for mesh in [shapes::icosphere(3, 1.0), shapes::two_material_sphere(12, 16), shapes::terrain(20, 3)] {
@@ -194,7 +207,7 @@ mod tests {
             let all = values_of(&mesh, &grid, &forms);
             for is_exact in [false, true] {
                 let base = fragments.levels().vertex_count_at(0);
-                let new = || ValueCoder::new(first_values(&all, base, &forms), grid, &forms, is_exact);
+                let new = || ValueCoder::new(all.first(base, &forms), grid, &forms, is_exact);
                 let coded = |step: u32| CodedFragment {
                     own_count: fragments.levels().step_vertices(step as usize).len() as u32,
                     floor: Vec::new(),

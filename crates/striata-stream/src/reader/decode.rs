@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use striata::mesh::{
-    AttributeLayer, CollapseSequence, ColorSpace, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts,
-    TriangleGroup,
+    AttributeLayer, CollapseSequence, ColorSpace, FragmentedMesh, IndexedMesh, PositionIndex, RefinableMesh,
+    SequenceParts, TriangleGroup,
 };
 use striata::{Progress, ProgressFn};
 
@@ -18,6 +18,7 @@ use crate::format::header::{
 use crate::format::info::StreamInfo;
 use crate::layers::form::LayerForm;
 use crate::layers::triangle_data;
+use crate::reader::fragments::FragmentReader;
 use crate::reader::prefix::PrefixMesh;
 use crate::refine::growth::GrowingMesh;
 use crate::refine::parameters::StreamParameters;
@@ -74,6 +75,8 @@ pub struct StreamDecoder {
     header: Option<StreamHeader>,
     /// The refinement loop, once the base mesh has been decoded.
     refiner: Option<Box<MeshRefiner>>,
+    /// The level that fragments refine, once the base mesh of a stream of fragments has been decoded.
+    fragments: Option<Box<FragmentReader>>,
     /// Number of chunks decoded so far.
     chunk_count: usize,
     /// Layers of triangles in sorted order, once they have been decoded.
@@ -241,8 +244,19 @@ impl StreamDecoder {
         let mut reader = RangeReader::new(bytes, is_complete);
         let most_wedges = max_extra_wedges(self.body_bytes() + bytes.len() as u64);
         let Some(refiner) = &mut self.refiner else {
-            return self.read_base(&mut reader, (most_wedges, more));
+            self.read_base(&mut reader, (most_wedges, more))?;
+            self.begin_fragments();
+            return Ok(());
         };
+        if let (Some(fragments), Some(header)) = (&mut self.fragments, &self.header) {
+            while fragments.len() < entry.split_count as usize {
+                if !fragments.read(&mut reader, header.vertex_count.into())? {
+                    let chunk = self.chunk_count;
+                    return if is_complete { Err(StreamDefect::TooManyVertices { chunk }) } else { Ok(()) };
+                }
+            }
+            return Ok(());
+        }
         refiner.limit_wedges(most_wedges);
         while refiner.split_count() < entry.split_count as usize {
             let most = entry.split_count as usize - refiner.split_count();
@@ -257,6 +271,18 @@ impl StreamDecoder {
             };
         }
         Ok(())
+    }
+
+    /// Starts the fragments of the base mesh, if the stream has fragments.
+    fn begin_fragments(&mut self) {
+        let (Some(header), Some(refiner)) = (&self.header, &mut self.refiner) else { return };
+        if header.has_fragments {
+            refiner.catch_up();
+            let integers =
+                |layer: usize| refiner.attributes().map_or_else(Vec::new, |all| all.integers(layer).to_vec());
+            let integers = (0..header.layers.len()).map(integers).collect();
+            self.fragments = Some(Box::new(FragmentReader::new(header, &refiner.level.growth, integers)));
+        }
     }
 
     /// Number of bytes in the chunks that have been decoded.
@@ -276,7 +302,7 @@ impl StreamDecoder {
             effort: header.effort,
             grid: header.grid,
             is_exact: header.is_exact,
-            max_patch: header.max_patch,
+            max_patch: if header.has_fragments { 0 } else { header.max_patch },
             position_count: header.position_count,
             base: BaseLimits {
                 position_count: header.position_count - header.step_count,
@@ -298,10 +324,14 @@ impl StreamDecoder {
     /// Checks that a completely decoded stream has the counts that its header promises.
     fn check_counts(&self) -> Result<(), StreamDefect> {
         let (Some(header), Some(growth)) = (&self.header, self.growth()) else { return Ok(()) };
+        let found = match &self.fragments {
+            Some(fragments) => [fragments.positions().len(), fragments.triangle_count(), fragments.len()],
+            None => [growth.positions.len(), growth.triangle_count(), growth.added.len()],
+        };
         let counts = [
-            ("vertices", growth.positions.len(), header.vertex_count),
-            ("triangles", growth.triangle_count(), header.triangle_count),
-            ("steps", growth.added.len(), header.step_count),
+            ("vertices", found[0], header.vertex_count),
+            ("triangles", found[1], header.triangle_count),
+            ("steps", found[2], header.step_count),
         ];
         for (what, found, expected) in counts {
             if found != expected as usize {
@@ -313,7 +343,9 @@ impl StreamDecoder {
 
     /// Brings the list of triangles up to date with the splits decoded so far.
     fn catch_up(&mut self) {
-        if let Some(refiner) = &mut self.refiner {
+        if let (Some(fragments), Some(header)) = (&mut self.fragments, &self.header) {
+            fragments.catch_up(header.groups.len());
+        } else if let Some(refiner) = &mut self.refiner {
             refiner.catch_up();
         }
     }
@@ -325,7 +357,7 @@ impl StreamDecoder {
 
     /// Number of vertices and of triangles decoded so far.
     fn sizes(&self) -> (usize, usize) {
-        self.growth().map_or((0, 0), |growth| (growth.positions.len(), growth.triangles.len()))
+        (self.positions().len(), self.triangles().len())
     }
 
     /// Lists the changes since the given vertex and triangle counts.
@@ -335,6 +367,10 @@ impl StreamDecoder {
             Some(refiner) => std::mem::take(&mut refiner.level.growth.changed),
             None => Vec::new(),
         };
+        if self.fragments.is_some() {
+            // Fragments leave no triangle in its place.
+            changed_triangles = (0..triangles_now as u32).collect();
+        }
         changed_triangles.retain(|&t| (t as usize) < triangles);
         changed_triangles.sort_unstable();
         changed_triangles.dedup();
@@ -347,7 +383,10 @@ impl StreamDecoder {
 
     /// Positions of the vertices decoded so far, in mesh units.
     pub fn positions(&self) -> &[[f32; 3]] {
-        self.growth().map_or(&[], |growth| &growth.positions)
+        match &self.fragments {
+            Some(fragments) => fragments.positions(),
+            None => self.growth().map_or(&[], |growth| &growth.positions),
+        }
     }
 
     /// Returns the attribute layers of a range of the vertices decoded so far.
@@ -357,10 +396,14 @@ impl StreamDecoder {
     pub fn layers_of(&self, vertices: Range<usize>) -> Vec<AttributeLayer> {
         let (Some(header), Some(refiner)) = (&self.header, &self.refiner) else { return Vec::new() };
         let Some(attributes) = refiner.attributes() else { return Vec::new() };
+        let integers = |index| match &self.fragments {
+            Some(fragments) => fragments.integers(index),
+            None => attributes.integers(index),
+        };
         let layer = |(index, form): (usize, &LayerForm)| {
             let mut layer = form.empty_layer();
             let n = form.integer_count();
-            form.append(&attributes.integers(index)[vertices.start * n..vertices.end * n], &mut layer.data);
+            form.append(&integers(index)[vertices.start * n..vertices.end * n], &mut layer.data);
             layer
         };
         header.layers.iter().enumerate().map(layer).collect()
@@ -368,17 +411,26 @@ impl StreamDecoder {
 
     /// Triangles of the level decoded so far, in decoding order.
     pub fn triangles(&self) -> &[[u32; 3]] {
-        self.growth().map_or(&[], |growth| &growth.triangles)
+        match &self.fragments {
+            Some(fragments) => &fragments.triangles,
+            None => self.growth().map_or(&[], |growth| &growth.triangles),
+        }
     }
 
     /// Group of each triangle in [`triangles`](Self::triangles); empty if the mesh has at most one group.
     pub fn triangle_groups(&self) -> &[u32] {
-        self.growth().map_or(&[], |growth| &growth.groups)
+        match &self.fragments {
+            Some(fragments) => &fragments.groups,
+            None => self.growth().map_or(&[], |growth| &growth.groups),
+        }
     }
 
     /// Index of the first vertex of each position decoded so far, followed by the vertex count.
     pub fn first_vertices(&self) -> &[u32] {
-        self.growth().map_or(&[], |growth| &growth.first_vertex)
+        match &self.fragments {
+            Some(fragments) => fragments.first_vertex(),
+            None => self.growth().map_or(&[], |growth| &growth.first_vertex),
+        }
     }
 
     /// The vertex that each vertex beyond the base collapses to. Its index is always smaller.
@@ -394,7 +446,8 @@ impl StreamDecoder {
     /// Returns the mesh decoded so far, in the form that growing models use. It is empty before the base
     /// mesh has been decoded.
     pub fn prefix(&self) -> PrefixMesh<'_> {
-        self.growth().map_or(PrefixMesh::default(), |growth| PrefixMesh {
+        let growth = self.growth().filter(|_| self.fragments.is_none());
+        growth.map_or(PrefixMesh::default(), |growth| PrefixMesh {
             positions: &growth.positions,
             first_vertices: &growth.first_vertex,
             targets: &growth.targets,
@@ -405,7 +458,10 @@ impl StreamDecoder {
 
     /// Number of vertex splits decoded so far.
     pub fn split_count(&self) -> usize {
-        self.refiner.as_ref().map_or(0, |refiner| refiner.split_count())
+        match &self.fragments {
+            Some(fragments) => fragments.len(),
+            None => self.refiner.as_ref().map_or(0, |refiner| refiner.split_count()),
+        }
     }
 
     /// Properties of the whole stream, or `None` before its header has been decoded.
@@ -462,26 +518,12 @@ impl StreamDecoder {
     /// Returns the mesh decoded so far with its collapse sequence, from which every kind of model can be
     /// built.
     ///
-    /// `None` before the base mesh has been decoded.
+    /// `None` before the base mesh has been decoded, and for [streams of fragments](Self::has_fragments).
     pub fn refinable_mesh(&self) -> Option<RefinableMesh> {
-        let (header, growth) = (self.header.as_ref()?, self.growth()?);
-        let (triangles, groups) = self.grouped_triangles();
-        let mut mesh = IndexedMesh {
-            positions: growth.positions.clone(),
-            origin: header.origin,
-            exact_positions: Vec::new(),
-            triangles,
-            groups,
-            layers: self.layers_of(0..growth.positions.len()),
-            triangle_layers: Vec::new(),
-            appearance: header.appearance.clone(),
-        };
-        triangle_data::attach(&mut mesh, self.triangle_layers.as_deref().unwrap_or_default());
+        let growth = self.growth().filter(|_| self.fragments.is_none())?;
+        let mesh = self.mesh()?;
         let step_count = growth.added.len();
-        let error_of = |step: usize| {
-            let chunk = header.chunks.partition_point(|entry| entry.split_count as usize <= step);
-            header.chunks.get(chunk).map_or(0.0, |entry| entry.error)
-        };
+        let error_of = |step: usize| self.error_at(step).unwrap_or(0.0);
         let sequence = CollapseSequence::from_parts(SequenceParts {
             base_position_count: growth.first_vertex.len() - 1 - step_count,
             positions: PositionIndex::from_first(growth.first_vertex.clone()),
@@ -493,29 +535,63 @@ impl StreamDecoder {
         Some(RefinableMesh { mesh, sequence: sequence.ok()? })
     }
 
+    /// Whether the steps of the stream are fragments, which any simplifier can make, instead of vertex splits.
+    pub fn has_fragments(&self) -> bool {
+        self.header.as_ref().is_some_and(|header| header.has_fragments)
+    }
+
+    /// Returns the mesh decoded so far with the fragments that led to it.
+    ///
+    /// `None` before the base mesh has been decoded, for streams of vertex splits, and if the fragments of a damaged
+    /// stream are no sequence.
+    pub fn fragmented_mesh(&self) -> Option<FragmentedMesh> {
+        let fragments = self.fragments.as_ref()?;
+        fragments.fragmented_mesh(self.mesh()?, |step| self.error_at(step).unwrap_or(0.0)).ok()
+    }
+
+    /// Returns the mesh decoded so far, its triangles sorted by group.
+    fn mesh(&self) -> Option<IndexedMesh> {
+        let header = self.header.as_ref()?;
+        self.growth()?;
+        let (triangles, groups) = self.grouped_triangles();
+        let mut mesh = IndexedMesh {
+            positions: self.positions().to_vec(),
+            origin: header.origin,
+            exact_positions: Vec::new(),
+            triangles,
+            groups,
+            layers: self.layers_of(0..self.positions().len()),
+            triangle_layers: Vec::new(),
+            appearance: header.appearance.clone(),
+        };
+        triangle_data::attach(&mut mesh, self.triangle_layers.as_deref().unwrap_or_default());
+        Some(mesh)
+    }
+
     /// Returns the triangles sorted by group, and the groups.
     fn grouped_triangles(&self) -> (Vec<[u32; 3]>, Vec<TriangleGroup>) {
-        let (Some(header), Some(growth)) = (&self.header, self.growth()) else { return Default::default() };
+        let Some(header) = &self.header else { return Default::default() };
+        let (triangles, groups_of) = (self.triangles(), self.triangle_groups());
         if header.groups.len() < 2 {
-            let count = growth.triangles.len() as u32;
+            let count = triangles.len() as u32;
             let group = |name: &GroupName| TriangleGroup {
                 name: name.name.clone(),
                 material: name.material,
                 first: 0,
                 count,
             };
-            return (growth.triangles.clone(), header.groups.iter().map(group).collect());
+            return (triangles.to_vec(), header.groups.iter().map(group).collect());
         }
         let mut counts = vec![0u32; header.groups.len()];
-        growth.groups.iter().for_each(|&g| counts[g as usize] += 1);
+        groups_of.iter().for_each(|&g| counts[g as usize] += 1);
         let mut first = 0;
         let mut groups = Vec::with_capacity(counts.len());
         for (name, &count) in header.groups.iter().zip(&counts) {
             groups.push(TriangleGroup { name: name.name.clone(), material: name.material, first, count });
             first += count;
         }
-        let mut order: Vec<u32> = (0..growth.triangles.len() as u32).collect();
-        order.sort_by_key(|&t| growth.groups[t as usize]);
-        (order.iter().map(|&t| growth.triangles[t as usize]).collect(), groups)
+        let mut order: Vec<u32> = (0..triangles.len() as u32).collect();
+        order.sort_by_key(|&t| groups_of[t as usize]);
+        (order.iter().map(|&t| triangles[t as usize]).collect(), groups)
     }
 }

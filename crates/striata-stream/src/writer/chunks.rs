@@ -127,6 +127,11 @@ fn push(
     chunks.push(Chunk { bytes, split_count: split_count as u32 });
 }
 
+/// Number of steps at the end of the chunk after `done` steps. Early chunks are small, so that the picture improves often.
+pub(crate) fn chunk_end(done: usize, step_count: usize) -> usize {
+    (done + (done / 2).clamp(FIRST_SPLITS, CHUNK_SPLITS)).min(step_count)
+}
+
 /// Encodes the splits of one chunk.
 fn code_chunk(
     refiner: &mut MeshRefiner,
@@ -135,8 +140,7 @@ fn code_chunk(
     step_count: usize,
 ) -> Result<(), BatchDefect> {
     let done = reference.order.len();
-    // Early chunks are small, so that the picture improves often.
-    let end = (done + (done / 2).clamp(FIRST_SPLITS, CHUNK_SPLITS)).min(step_count);
+    let end = chunk_end(done, step_count);
     while reference.order.len() < end {
         let result = refiner.stretch(writer, reference, end - reference.order.len());
         let is_dependent = !refiner.is_in_batch() && !reference.is_batch_done();

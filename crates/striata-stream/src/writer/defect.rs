@@ -63,6 +63,12 @@ pub enum StreamError {
         /// Number of integers that the stream would store for each vertex.
         number_count: usize,
     },
+    /// Streams of fragments have no place for data of triangles.
+    #[error("a stream of fragments cannot store data of triangles ({name})")]
+    TriangleData {
+        /// Name of the first layer.
+        name: String,
+    },
     /// A metadata text is too long.
     #[error(transparent)]
     Text(#[from] EncodeError),

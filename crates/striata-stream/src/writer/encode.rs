@@ -4,6 +4,7 @@ use striata::mesh::{Bounds, IndexedMesh, RefinableMesh};
 use striata::{ProgressFn, ignore_progress};
 
 use crate::base::coder::BaseLimits;
+use crate::entropy::PART_COUNT;
 use crate::format::effort::Effort;
 use crate::format::grid::{GridError, PositionGrid};
 use crate::format::header::{ChunkEntry, GroupName, MAX_COMPONENTS, StreamHeader};
@@ -114,9 +115,9 @@ pub struct StreamSizes {
 }
 
 impl StreamSizes {
-    fn of(byte_count: usize, chunks: &Chunks) -> Self {
+    pub(crate) fn of(byte_count: usize, spent: &[f64; PART_COUNT]) -> Self {
         let [connectivity_bits, position_bits, wedge_bits, normal_bits, texcoord_bits, other_layers, _] =
-            chunks.spent;
+            *spent;
         let attribute_bits = wedge_bits + normal_bits + texcoord_bits + other_layers;
         let other_bits = byte_count as f64 * 8.0 - connectivity_bits - position_bits - attribute_bits;
         Self {
@@ -170,30 +171,96 @@ pub fn encode_stream_with_progress(
     progress: &mut ProgressFn<'_>,
 ) -> Result<EncodedStream, StreamError> {
     refinable.mesh.check()?;
-    check_batches(batches, refinable.sequence.step_count())?;
-    let is_exact = options.precision == Precision::Lossless;
-    let grid = grid_of(&refinable.mesh, options.precision)?;
-    let layer_options = LayerOptions { lossless: is_exact || options.layers.lossless, ..options.layers };
-    layer_options.check()?;
-    let forms: Vec<_> =
-        refinable.mesh.layers.iter().map(|layer| LayerForm::of(layer, &layer_options)).collect();
-    let number_count = forms.iter().map(LayerForm::integer_count).sum();
-    if number_count > MAX_COMPONENTS {
-        return Err(StreamError::Numbers { number_count });
+    let layout = StreamLayout::new(&refinable.mesh, options)?;
+    let totals = Totals {
+        position_count: refinable.sequence.positions().position_count() as u32,
+        vertex_count: refinable.mesh.vertex_count() as u32,
+    };
+    let Encoded { mut header, chunks, source_vertex } =
+        encode_splits(refinable, batches, &StreamPlan { options, layout, totals }, progress)?;
+    let data = triangle_data::encode(&in_stream_order(&refinable.mesh, &source_vertex));
+    let (entry, data) = data.unzip();
+    header.triangle_data = entry;
+    let mut bytes = header.to_bytes()?;
+    chunks.chunks.iter().for_each(|chunk| bytes.extend_from_slice(&chunk.bytes));
+    bytes.extend(data.into_iter().flatten());
+    let sizes = StreamSizes::of(bytes.len(), &chunks.spent);
+    Ok(EncodedStream { bytes, sizes, source_vertex })
+}
+
+/// How a stream stores the values of vertices.
+#[derive(Clone, Debug)]
+pub(crate) struct StreamLayout {
+    pub(crate) grid: PositionGrid,
+    pub(crate) forms: Vec<LayerForm>,
+    pub(crate) is_exact: bool,
+}
+
+impl StreamLayout {
+    /// Chooses the layout for a mesh.
+    ///
+    /// # Errors
+    /// If there is no such grid, or the layers have too many numbers.
+    pub(crate) fn new(mesh: &IndexedMesh, options: &StreamOptions) -> Result<Self, StreamError> {
+        let is_exact = options.precision == Precision::Lossless;
+        let grid = grid_of(mesh, options.precision)?;
+        let layer_options = LayerOptions { lossless: is_exact || options.layers.lossless, ..options.layers };
+        layer_options.check()?;
+        let forms: Vec<_> = mesh.layers.iter().map(|layer| LayerForm::of(layer, &layer_options)).collect();
+        let number_count = forms.iter().map(LayerForm::integer_count).sum();
+        if number_count > MAX_COMPONENTS {
+            return Err(StreamError::Numbers { number_count });
+        }
+        Ok(Self { grid, forms, is_exact })
     }
-    let points = points_of(refinable, &grid, &forms);
-    let position_count = points.coords.len() as u32;
+}
+
+/// Numbers of positions and vertices of the full mesh.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Totals {
+    pub(crate) position_count: u32,
+    pub(crate) vertex_count: u32,
+}
+
+/// How the vertex splits of a stream are encoded.
+pub(crate) struct StreamPlan<'o> {
+    pub(crate) options: &'o StreamOptions,
+    pub(crate) layout: StreamLayout,
+    pub(crate) totals: Totals,
+}
+
+/// Chunks of vertex splits, and a header for them.
+pub(crate) struct Encoded {
+    pub(crate) header: StreamHeader,
+    pub(crate) chunks: Chunks,
+    /// For each vertex that a decoder produces, the index of the vertex in the source mesh.
+    pub(crate) source_vertex: Vec<u32>,
+}
+
+/// Encodes a base mesh and the vertex splits that refine it.
+///
+/// # Errors
+/// [`StreamError`] if the steps are no batches, or the callback cancels.
+pub(crate) fn encode_splits(
+    refinable: &RefinableMesh,
+    batches: &[u32],
+    plan: &StreamPlan<'_>,
+    progress: &mut ProgressFn<'_>,
+) -> Result<Encoded, StreamError> {
+    check_batches(batches, refinable.sequence.step_count())?;
+    let StreamPlan { options, layout: StreamLayout { grid, forms, is_exact }, totals } = plan;
+    let points = points_of(refinable, grid, forms);
     let parameters = StreamParameters {
         has_general: false,
         effort: options.effort,
-        grid,
-        is_exact,
+        grid: *grid,
+        is_exact: *is_exact,
         max_patch: 0,
-        position_count,
+        position_count: totals.position_count,
         base: BaseLimits { position_count: 0, triangle_count: 0, extra_wedges: u32::MAX },
-        vertex_count: refinable.mesh.vertex_count() as u32,
+        vertex_count: totals.vertex_count,
         group_count: refinable.mesh.groups.len() as u32,
-        layers: forms,
+        layers: forms.clone(),
     };
     let mut descent = Descent::new(refinable, batches, progress)?;
     let first = first_batch(&parameters, &descent);
@@ -206,15 +273,8 @@ pub fn encode_stream_with_progress(
     }
     let chunks = encode_chunks(refinable, (&descent, batches), (&points, &parameters), progress)?;
     let source_vertex = source_vertices(refinable, &chunks);
-    let data = triangle_data::encode(&in_stream_order(&refinable.mesh, &source_vertex));
-    let mut header = header_of(refinable, batches, &chunks, (options, &parameters));
-    let (entry, data) = data.unzip();
-    header.triangle_data = entry;
-    let mut bytes = header.to_bytes()?;
-    chunks.chunks.iter().for_each(|chunk| bytes.extend_from_slice(&chunk.bytes));
-    bytes.extend(data.into_iter().flatten());
-    let sizes = StreamSizes::of(bytes.len(), &chunks);
-    Ok(EncodedStream { bytes, sizes, source_vertex })
+    let header = header_of(refinable, batches, &chunks, (options, &parameters));
+    Ok(Encoded { header, chunks, source_vertex })
 }
 
 /// Triangles and their layers, with vertices in the order of the stream; without other layers.
@@ -298,6 +358,7 @@ fn header_of(
         triangle_count: mesh.triangle_count() as u32,
         step_count: sequence.step_count() as u32,
         max_patch: chunks.max_patch,
+        has_fragments: false,
         has_general: chunks.has_general,
         grid: parameters.grid,
         origin: refinable.mesh.origin,

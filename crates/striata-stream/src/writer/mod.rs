@@ -8,6 +8,7 @@
 //! | `defect.rs` | reasons why a sequence cannot be encoded |
 //! | `surface_stage.rs` | batches of collapses on a surface |
 //! | `general_stage.rs` | batches of other steps |
+//! | `fragments.rs` | encodes fragments |
 //! | `general_order.rs` | coding order of general steps |
 //! | `reference_mesh.rs` | the data to encode, in a reader's numbering |
 //! | `chunks.rs` | the range-coded chunks |
@@ -17,6 +18,7 @@ pub(crate) mod chunks;
 pub(crate) mod defect;
 pub(crate) mod descent;
 pub(crate) mod encode;
+pub(crate) mod fragments;
 pub(crate) mod general_order;
 pub(crate) mod general_stage;
 pub(crate) mod level;
