@@ -2,7 +2,6 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use striata::mesh::replay;
 use striata_stream::{DecodeError, StreamDecoder, StreamDefect};
 
 /// Maximum number of checksums that are corrected.
@@ -36,15 +35,12 @@ fn read(bytes: &[u8]) -> Result<(), DecodeError> {
 }
 
 fn check(decoder: &StreamDecoder) {
-    let Some(level) = decoder.refinable_mesh() else { return };
-    assert_eq!(level.mesh.check(), Ok(()));
-    let step_count = level.sequence.step_count();
-    assert_eq!(replay(&level, step_count).triangle_count(), level.mesh.triangle_count());
-    for split_count in [0, step_count / 2] {
-        assert_eq!(
-            replay(&level, split_count).triangle_count(),
-            level.sequence.triangle_count_at(split_count)
-        );
+    let Some(steps) = decoder.steps() else { return };
+    assert_eq!(steps.mesh().check(), Ok(()));
+    let step_count = steps.levels().step_count();
+    for split_count in [0, step_count / 2, step_count] {
+        let level = steps.level(split_count);
+        assert_eq!(level.triangle_count(), steps.levels().triangle_count_at(split_count));
     }
 }
 

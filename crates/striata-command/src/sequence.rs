@@ -3,11 +3,7 @@
 use std::borrow::Cow;
 
 use striata::ProgressFn;
-use striata::mesh::{
-    Appearance, FragmentedMesh, IndexedMesh, Levels, Material, RefinableMesh, Welded, replay,
-    replay_fragments,
-};
-use striata::model::FanSource;
+use striata::mesh::{Appearance, FragmentedMesh, IndexedMesh, Material, Steps, Welded};
 use striata::simplify::{
     BatchOptions, BoundaryRule, BuiltSequence, CollapseCost, HoleCriterion, PlacedOptions, RemovalOptions,
     RemovalOrder, Retriangulation, SeamRule, SequenceOptions, SimplifyError, StopReason, TopologyRule,
@@ -62,57 +58,6 @@ pub enum StepKind {
     Single,
     /// In batches, as a stream needs them.
     Batches,
-}
-
-/// The simplification steps of a mesh.
-#[derive(Debug)]
-pub enum Steps {
-    /// Half-edge collapses only.
-    Collapses(RefinableMesh),
-    /// Steps that retriangulate holes freely.
-    Fragments(FragmentedMesh),
-}
-
-impl Steps {
-    /// Returns the full mesh in refinement order.
-    pub fn mesh(&self) -> &IndexedMesh {
-        match self {
-            Self::Collapses(refinable) => &refinable.mesh,
-            Self::Fragments(fragmented) => &fragmented.mesh,
-        }
-    }
-
-    /// Returns the counts and errors of all levels.
-    pub fn levels(&self) -> &Levels {
-        match self {
-            Self::Collapses(refinable) => refinable.sequence.levels(),
-            Self::Fragments(fragmented) => fragmented.fragments.levels(),
-        }
-    }
-
-    /// Returns the source for building fans: the mesh and its steps.
-    pub fn fan_source(&self) -> FanSource<'_> {
-        match self {
-            Self::Collapses(refinable) => refinable.into(),
-            Self::Fragments(fragmented) => fragmented.into(),
-        }
-    }
-
-    /// Returns the steps as fragments.
-    pub fn fragments(&self) -> Cow<'_, FragmentedMesh> {
-        match self {
-            Self::Collapses(refinable) => Cow::Owned(FragmentedMesh::from_collapses(refinable)),
-            Self::Fragments(fragmented) => Cow::Borrowed(fragmented),
-        }
-    }
-
-    /// Returns the mesh of a level.
-    pub fn level(&self, split_count: usize) -> IndexedMesh {
-        match self {
-            Self::Collapses(refinable) => replay(refinable, split_count),
-            Self::Fragments(fragmented) => replay_fragments(fragmented, split_count),
-        }
-    }
 }
 
 /// A mesh with its simplification steps.
@@ -186,8 +131,8 @@ impl SequencePlan {
     /// If the plan is not in quadric order.
     pub fn use_batches(&mut self, terms: BatchSettings) -> Result<(), Failure> {
         let Self::Quadric { batches, .. } = self else {
-            return Err(Failure::user("streams require collapses in quadric order, to existing vertices")
-                .with_hint("remove --order and --new-vertices, or do not make a stream"));
+            return Err(Failure::user("a stream with other models requires collapses in quadric order, to existing vertices")
+                .with_hint("remove --order and --new-vertices, or make the stream alone with `striata encode`"));
         };
         *batches = Some(terms);
         Ok(())

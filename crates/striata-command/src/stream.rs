@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use serde_json::{Value, json};
 use striata::file::{DecodeError, StriataFile};
-use striata::mesh::RefinableMesh;
+use striata::mesh::Steps;
 use striata_stream::{Effort, Precision, StreamDecoder, StreamDefect, StreamInfo};
 
 use crate::args::EffortArg;
@@ -78,14 +78,14 @@ impl DecodedStream {
         Self::read(bytes, |_| false)
     }
 
-    /// Returns the finest decoded mesh, with the sequence from the base mesh to it.
+    /// Returns the finest decoded mesh, with the steps from the base mesh to it.
     ///
     /// # Errors
     /// If there is no base mesh, or the mesh is inconsistent.
-    pub fn refinable(&self) -> Result<RefinableMesh, DecodeError> {
-        let refinable = self.decoder.refinable_mesh().ok_or(StreamDefect::NoBase)?;
-        refinable.mesh.check()?;
-        Ok(refinable)
+    pub fn steps(&self) -> Result<Steps, DecodeError> {
+        let steps = self.decoder.steps().ok_or(StreamDefect::NoBase)?;
+        steps.mesh().check()?;
+        Ok(steps)
     }
 
     /// Returns a message for the user if the stream is cut off.
@@ -139,6 +139,7 @@ pub fn stream_facts_json(facts: &StreamInfo) -> Value {
         "grid_bits": facts.grid_bits,
         "grid_step": facts.grid_step,
         "step_count": facts.step_count,
+        "has_collapses": !facts.has_fragments,
     })
 }
 

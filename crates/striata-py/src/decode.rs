@@ -5,6 +5,7 @@
 use std::fmt::Display;
 
 use pyo3::prelude::*;
+use striata::file::DecodeError;
 use striata::{Cancelled, Lod, Progress, ProgressFn};
 use striata_scene::LodScene;
 use striata_scene::file::{SceneFile, is_scene_file};
@@ -98,6 +99,9 @@ fn mesh_stream(bytes: &[u8], allow_truncated: bool, progress: &mut ProgressFn<'_
             return Err(bad_bytes(TRUNCATED));
         }
         decoder.finish().map_err(bad_bytes)?;
+    }
+    if decoder.has_fragments() {
+        return Err(bad_bytes(DecodeError::NoCollapses));
     }
     let refinable = decoder.refinable_mesh().ok_or_else(|| bad_bytes("the stream has no mesh"))?;
     refinable.mesh.check().map_err(bad_bytes)?;

@@ -5,6 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use striata::file::DecodeError;
 use striata::mesh::IndexedMesh;
 use striata::simplify::{BatchOptions, build_batches_with_progress};
 use striata::{Cancelled, ProgressFn};
@@ -177,8 +178,11 @@ impl DecoderData {
     fn lod(&self, py: Python<'_>) -> Outcome<Option<LodData>> {
         let feed = Arc::clone(&self.feed);
         job::run(py, usize::MAX, None, move |_| {
-            let mesh = locked(&feed).decoder.refinable_mesh();
-            let Some(mesh) = mesh else { return Ok(None) };
+            let feed = locked(&feed);
+            if feed.decoder.has_fragments() {
+                return Err(value_error(DecodeError::NoCollapses));
+            }
+            let Some(mesh) = feed.decoder.refinable_mesh() else { return Ok(None) };
             mesh.mesh.check().map_err(internal_error)?;
             Ok(Some(LodData::from(mesh)))
         })

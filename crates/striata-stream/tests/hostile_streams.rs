@@ -319,7 +319,7 @@ fn rejects_unknown_flags_and_too_many_layers() {
         head(1, [3, 3, 1, 0, 0], &[ListedChunk { claimed: base.len() as u32, splits: 0, bytes: &base }]);
     bytes.extend(&base);
     StreamDecoder::new().push(&bytes).unwrap();
-    bytes[6] = 16;
+    bytes[6] = 32;
     let error = read_with_correct_checksums(&mut bytes).map(|_| ()).unwrap_err();
     assert!(matches!(error, DecodeError::Malformed { .. }), "{error}");
     let mut mesh = triangle();

@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use striata_command::args::{EditArgs, FlatArgs, OptionalLevel, OutputArgs, StreamArgs, TextureArgs};
+use striata_command::args::{
+    EditArgs, FlatArgs, OptionalLevel, OutputArgs, SequenceArgs, StreamArgs, TextureArgs,
+};
 
 /// Arguments of `encode`.
 #[derive(Debug, Args)]
@@ -24,6 +26,9 @@ pub(crate) struct EncodeArgs {
     /// How the stream is encoded.
     #[command(flatten)]
     pub stream: StreamArgs,
+    /// How the mesh is simplified.
+    #[command(flatten)]
+    pub sequence: SequenceArgs,
     /// Longest side of the previews of color textures in the stream of a scene; 0 for none
     #[arg(
         long,

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use serde::Serialize;
-use striata::mesh::{IndexedMesh, RefinableMesh, replay};
+use striata::mesh::{IndexedMesh, Steps};
 use striata::simplify::Target;
 
 use super::extract::{
@@ -63,10 +63,10 @@ pub(crate) fn run(args: &DecodeArgs, output: &Output) -> Result<(), Failure> {
     let received =
         DecodedStream::read_levels(stream, |decoder| target.is_some_and(|target| has_level(decoder, target)));
     let received = received.map_err(|error| input.damaged(&error))?;
-    let refinable = received.refinable().map_err(|error| input.damaged(&error))?;
+    let steps = received.steps().map_err(|error| input.damaged(&error))?;
     let decoded = match target {
-        Some(target) => DecodedLevel::at_level(&refinable, &received, target),
-        None => DecodedLevel::of_all(refinable, &received),
+        Some(target) => DecodedLevel::at_level(&steps, &received, target),
+        None => DecodedLevel::of_all(steps, &received),
     };
     bar.phase("write");
     write_mesh(&decoded.mesh, Primitives::Triangles, &args.output.output, (&args.output.format, output))?;
@@ -87,14 +87,14 @@ struct DecodedLevel {
 }
 
 impl DecodedLevel {
-    fn of_all(refinable: RefinableMesh, received: &DecodedStream) -> Self {
+    fn of_all(steps: Steps, received: &DecodedStream) -> Self {
         let (split_count, error) = (received.decoder.split_count(), received.decoder.error());
-        Self { mesh: refinable.mesh, split_count, error: error.unwrap_or_default(), shortfall: None }
+        Self { mesh: steps.into_mesh(), split_count, error: error.unwrap_or_default(), shortfall: None }
     }
 
-    fn at_level(refinable: &RefinableMesh, received: &DecodedStream, target: Target) -> Self {
-        let (split_count, end) = resolve(target, received, refinable.sequence.levels());
-        let mesh = replay(refinable, split_count).without_unused_vertices();
+    fn at_level(steps: &Steps, received: &DecodedStream, target: Target) -> Self {
+        let (split_count, end) = resolve(target, received, steps.levels());
+        let mesh = steps.level(split_count).without_unused_vertices();
         let (vertex_count, triangle_count) = (mesh.vertex_count(), mesh.triangle_count());
         let shortfall = match end {
             StreamStopReason::InputEnded => Some(INPUT_ENDED_TEXT.to_owned()),

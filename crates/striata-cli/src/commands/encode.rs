@@ -4,24 +4,26 @@ use std::path::Path;
 
 use serde::Serialize;
 use serde_json::{Value, json};
-use striata::file::{WriteOptions, to_striata};
-use striata::mesh::{IndexedMesh, RefinableMesh, weld};
+use striata::file::{WriteOptions, write_fragments, write_striata};
+use striata::mesh::{IndexedMesh, Steps, weld};
 use striata_io::Format;
-use striata_stream::{EncodedStream, StreamInfo, StreamOptions, encode_stream, file_model};
+use striata_stream::{
+    EncodedStream, StreamInfo, StreamOptions, encode_fragments_with_progress, encode_stream_with_progress, file_model,
+};
 
 use super::scene;
 use crate::args::EncodeArgs;
 use striata_command::clock::{Phases, peak_rss_bytes};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::output::{Output, Table, format_bytes, format_count, format_duration, format_length};
+use striata_command::output::{Bar, Output, Table, format_bytes, format_count, format_duration, format_length};
 use striata_command::save::{
     DEFAULT_NAME_NOTE, check_not_compressed, default_output_path, display_name, georeference_of, is_stdout,
     write_bytes,
 };
 use striata_command::scene::with_mesh_textures;
-use striata_command::sequence::{SequencePlan, Steps};
-use striata_command::stream::{precision_name, stream_facts_json};
+use striata_command::sequence::{Limits, SequencePlan, SimplifiedSteps};
+use striata_command::stream::{DecodedStream, precision_name, stream_facts_json};
 
 /// Phases whose times are reported.
 const PHASES: [&str; 5] = ["read", "weld", "simplify", "encode", "write"];
@@ -55,19 +57,19 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     phases.enter("weld");
     let welded = weld(&mesh).map_err(|error| Failure::from(error).in_file(&input.name))?;
     phases.enter("simplify");
-    let mut plan = SequencePlan::default();
-    plan.use_batches(args.stream.batches(&mesh)?)?;
+    let mut plan = args.sequence.plan_for(&mesh, Limits::default())?;
+    if let SequencePlan::Quadric { .. } = plan {
+        plan.use_batches(args.stream.batches(&mesh)?)?;
+    }
+    args.sequence.warn_about_groups(&mesh, output);
     let sequenced = plan.run(welded, &mut |progress| bar.show(progress));
     let sequenced = sequenced.map_err(|error| Failure::from(error).in_file(&input.name))?;
-    let (Steps::Collapses(refinable), Some(batches)) = (&sequenced.steps, &sequenced.batches) else {
-        return Err(Failure::internal("the collapses are not in batches"));
-    };
     phases.enter("encode");
     bar.phase("encode");
     let options = args.stream.options(mesh.diagonal());
-    let stream = encode_stream(refinable, batches, &options)?;
+    let stream = encoded(&sequenced, &options, &mut bar)?;
     let bytes = match format == Format::Striata {
-        true => in_striata_file(refinable, &stream, &input.file_name())?,
+        true => in_striata_file(&stream, &input.file_name())?,
         false => stream.bytes.clone(),
     };
     phases.enter("write");
@@ -75,9 +77,25 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     write_bytes(&bytes, &path)?;
     phases.leave();
     drop(bar);
-    let encoded = EncodeResult { mesh: &mesh, refinable, batch_count: batches.len() - 1, stream: &stream };
+    let encoded = EncodeResult { mesh: &mesh, sequenced: &sequenced, stream: &stream };
     let report = Report::new(&encoded, (display_name(&path), bytes.len()), phases)?;
     output.summary(&report, &report.to_text(args, &options))
+}
+
+/// Encodes the collapses batch by batch, or all steps as fragments if there are no batches.
+///
+/// # Errors
+/// If the mesh cannot be encoded.
+fn encoded(
+    sequenced: &SimplifiedSteps,
+    options: &StreamOptions,
+    bar: &mut Bar,
+) -> Result<EncodedStream, Failure> {
+    let mut show = |progress| bar.show(progress);
+    if let (Steps::Collapses(refinable), Some(batches)) = (&sequenced.steps, &sequenced.batches) {
+        return Ok(encode_stream_with_progress(refinable, batches, options, &mut show)?);
+    }
+    Ok(encode_fragments_with_progress(&*sequenced.fragments(&mut show)?, options, &mut show)?)
 }
 
 /// Returns the format that the name requests.
@@ -117,22 +135,23 @@ fn encode_scene(
 }
 
 /// Wraps the stream in a `.striata` file without other models.
-fn in_striata_file(
-    refinable: &RefinableMesh,
-    stream: &EncodedStream,
-    source: &str,
-) -> Result<Vec<u8>, Failure> {
+fn in_striata_file(stream: &EncodedStream, source: &str) -> Result<Vec<u8>, Failure> {
     let options = WriteOptions::default()
         .with_metadata("creator", concat!("striata ", env!("CARGO_PKG_VERSION")))
         .with_metadata("source", source);
-    Ok(to_striata(&stream.reorder(refinable), &[file_model(&stream.bytes)?], &options)?)
+    let models = [file_model(&stream.bytes)?];
+    let mut bytes = Vec::new();
+    match DecodedStream::read_all(&stream.bytes)?.steps()? {
+        Steps::Collapses(refinable) => write_striata(&refinable, &models, &options, &mut bytes)?,
+        Steps::Fragments(fragmented) => write_fragments(&fragmented, &models, &options, &mut bytes)?,
+    }
+    Ok(bytes)
 }
 
 /// The data that the report is made from.
 struct EncodeResult<'a> {
     mesh: &'a IndexedMesh,
-    refinable: &'a RefinableMesh,
-    batch_count: usize,
+    sequenced: &'a SimplifiedSteps,
     stream: &'a EncodedStream,
 }
 
@@ -143,7 +162,8 @@ struct Report {
     triangle_count: usize,
     position_count: usize,
     step_count: usize,
-    batch_count: usize,
+    /// Null if the steps are not in batches.
+    batch_count: Option<usize>,
     base: Value,
     error_max: f32,
     effort: Value,
@@ -169,7 +189,7 @@ impl Report {
         (path, output_bytes): (String, usize),
         phases: Phases,
     ) -> Result<Self, Failure> {
-        let sequence = &encoded.refinable.sequence;
+        let levels = encoded.sequenced.steps.levels();
         let facts = StreamInfo::read(&encoded.stream.bytes)?.unwrap_or_default();
         let stream = stream_facts_json(&facts);
         let sizes = &encoded.stream.sizes;
@@ -181,14 +201,14 @@ impl Report {
             path,
             vertex_count,
             triangle_count: encoded.mesh.triangle_count(),
-            position_count: sequence.positions().position_count(),
-            step_count: sequence.step_count(),
-            batch_count: encoded.batch_count,
+            position_count: levels.positions().position_count(),
+            step_count: levels.step_count(),
+            batch_count: encoded.sequenced.batches.as_ref().map(|batches| batches.len() - 1),
             base: json!({
-                "vertex_count": sequence.base_vertex_count(),
-                "triangle_count": sequence.triangle_count_at(0),
+                "vertex_count": levels.base_vertex_count(),
+                "triangle_count": levels.triangle_count_at(0),
             }),
-            error_max: sequence.error_at(0),
+            error_max: levels.error_at(0),
             effort: stream["effort"].clone(),
             stream,
             bits_per_vertex: per_vertex(output_bits),
@@ -212,7 +232,8 @@ impl Report {
             format!("{} down to {}", format_count(self.triangle_count), self.base["triangle_count"]),
         );
         row("vertices", format_count(self.vertex_count));
-        row("levels", format!("{} in {} batches", format_count(self.step_count + 1), self.batch_count));
+        let batches = self.batch_count.map_or_else(String::new, |count| format!(" in {count} batches"));
+        row("levels", format_count(self.step_count + 1) + &batches);
         row("error of base mesh", format_length(self.error_max.into()));
         let effort = self.effort.as_str().unwrap_or_default();
         row("encoding", format!("{}, {effort} effort", precision_name(options.precision)));

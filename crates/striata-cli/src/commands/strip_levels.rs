@@ -15,7 +15,8 @@ use striata_command::input::Input;
 use striata_command::level::paths_of_levels;
 use striata_command::output::{Bar, Output, Table, format_count, format_duration};
 use striata_command::save::{LevelFiles, Primitives};
-use striata_command::sequence::{SequencePlan, Steps};
+use striata::mesh::Steps;
+use striata_command::sequence::SequencePlan;
 
 #[derive(Serialize)]
 struct Report {

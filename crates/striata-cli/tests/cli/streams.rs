@@ -77,6 +77,35 @@ fn encode_and_decode_report_their_results() {
 }
 
 #[test]
+fn streams_of_any_removal_are_read_by_every_verb() {
+    let bench = with_stream();
+    for flags in ["--order hausdorff", "--order hausdorff-strict", "--new-vertices edge"] {
+        let report = bench.json(&format!("encode sphere.obj -o any.stri --lossless {flags}"));
+        assert!(report["batch_count"].is_null(), "{report}");
+        assert!(number(&report, "connectivity_bits_per_vertex") < 44.0, "{flags}: {report}");
+        let whole = bench.json("decode any.stri -o whole.ply");
+        assert_eq!(whole["triangle_count"], 2240, "{flags}");
+        assert_eq!(distance(&bench, "sphere.obj", "whole.ply"), 0.0, "{flags}");
+        let level = bench.json("decode any.stri -o level.ply --triangles 400");
+        assert!((380.0..=400.0).contains(&number(&level, "triangle_count")), "{flags}: {level}");
+        let measured = distance(&bench, "sphere.obj", "level.ply");
+        assert!(measured <= 1.02 * number(&level, "error"), "{flags}: {measured}, {level}");
+        assert!(number(&level, "read_bytes") < number(&whole, "read_bytes"));
+        let several = bench.json("extract any.stri --levels 100%,25% -o level-{}.ply");
+        assert_eq!(several["levels"].as_array().map(Vec::len), Some(2), "{several}");
+        let view = bench.json("extract any.stri --eye 0,0,3 --pixels 2 -o view.ply");
+        assert!(number(&view, "triangle_count") < 2240.0, "{flags}: {view}");
+        let facts = bench.json("info any.stri");
+        assert_eq!(facts["stream"]["has_collapses"], false, "{facts}");
+        bench.run(&format!("encode sphere.obj -o any.striata {flags} --quiet")).success();
+        assert_eq!(bench.json("decode any.striata -o file.ply")["triangle_count"], 2240, "{flags}");
+    }
+    let refused = bench.run("encode sphere.obj -o any.glb --order hausdorff").failure();
+    let text = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
+    assert!(text.contains("--order hausdorff is for one mesh"), "{text}");
+}
+
+#[test]
 fn flags_control_precision_and_size() {
     let bench = with_stream();
     let encode = |flags: &str| {

@@ -78,6 +78,9 @@ fn decoded(
     if file.is_truncated() {
         return Err(GlbStreamReadError::Truncated { mesh });
     }
+    if !file.has_collapses() {
+        return Err(in_stream(DecodeError::NoCollapses));
+    }
     check_groups(scene, mesh, file.summary().group_count)?;
     let mut decoder = StreamDecoder::new();
     if decoder.push_with_progress(&data.bytes, progress).map_err(|e| in_stream(e.into()))? < data.bytes.len()

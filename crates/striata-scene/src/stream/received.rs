@@ -151,6 +151,10 @@ impl ReceivedMesh {
         if info.stream_bytes != entry.bytes {
             return Err(DecodeError::FileLength { found: info.stream_bytes, expected: entry.bytes });
         }
+        if info.has_fragments {
+            let reason = "the steps of a mesh of a scene must be vertex splits";
+            return Err(DecodeError::Malformed { offset: 16, reason });
+        }
         self.is_checked = true;
         Ok(())
     }

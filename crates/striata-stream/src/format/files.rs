@@ -109,7 +109,7 @@ fn read_head(bytes: &[u8]) -> Result<StreamHead, DecodeError> {
     summary.base_vertex_count = decoder.positions().len();
     summary.base_triangle_count = decoder.triangles().len();
     summary.error_max = info.error_max;
-    Ok(StreamHead { stream_bytes: info.stream_bytes, summary })
+    Ok(StreamHead { stream_bytes: info.stream_bytes, summary, has_collapses: !decoder.has_fragments() })
 }
 
 fn decode(bytes: &[u8], is_truncated: bool) -> Result<StreamMesh, DecodeError> {
@@ -122,6 +122,6 @@ fn decode(bytes: &[u8], is_truncated: bool) -> Result<StreamMesh, DecodeError> {
         }
         decoder.finish()?;
     }
-    let refinable = decoder.refinable_mesh().ok_or_else(|| malformed("the stream has no mesh"))?;
-    Ok(StreamMesh { refinable, is_complete: decoder.is_complete() })
+    let steps = decoder.steps().ok_or_else(|| malformed("the stream has no mesh"))?;
+    Ok(StreamMesh { steps, is_complete: decoder.is_complete() })
 }

@@ -34,8 +34,10 @@ pub struct StreamInfo {
     pub triangle_count: usize,
     /// Number of groups of triangles, or 0 if the mesh has none.
     pub group_count: usize,
-    /// Number of vertex splits from the base mesh to the full mesh.
+    /// Number of steps from the base mesh to the full mesh.
     pub step_count: usize,
+    /// Whether the steps are fragments instead of vertex splits.
+    pub has_fragments: bool,
     /// Error of the base mesh, mesh units.
     pub error_max: f32,
     /// Metadata of the stream, as pairs of key and value.
@@ -93,6 +95,7 @@ impl StreamInfo {
             triangle_count: header.triangle_count as usize,
             group_count: header.groups.len(),
             step_count: header.step_count as usize,
+            has_fragments: header.has_fragments,
             error_max: header.chunks.first().map_or(0.0, |chunk| chunk.error),
             metadata: header.metadata.clone(),
             chunks: header.chunks.iter().map(chunk).collect(),

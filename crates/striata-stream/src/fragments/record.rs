@@ -236,28 +236,24 @@ impl FragmentCoder {
         if count as u64 > self.triangles_left {
             return Err(NoFragment);
         }
-        let mut known: Vec<u32> =
-            owns.iter().copied().chain(border.iter().map(|side| side.side[0])).collect();
-        known.sort_unstable();
-        known.dedup();
+        let mut known = KnownVertices::default();
+        owns.iter().copied().chain(border.iter().map(|side| side.side[0])).for_each(|v| known.add(v));
         let mut ceiling = Vec::new();
         for number in 0..count {
             let face = actual.get(number).copied();
             let mut corners = [0; 3];
             for (k, corner) in corners.iter_mut().enumerate() {
                 let wanted = face.map(|face| face.corners[k]);
-                let place = wanted.and_then(|v| known.binary_search(&v).ok());
+                let place = wanted.and_then(|v| known.place_of.get(&v).copied());
                 if self.is_elsewhere.code(coder, place.is_none()) {
-                    let vertex = code_uniform(coder, self.vertex_count, wanted.unwrap_or(0));
                     if self.vertex_count == 0 {
                         return Err(NoFragment);
                     }
-                    *corner = vertex;
-                    known.insert(known.partition_point(|&v| v < vertex), vertex);
-                    known.dedup();
+                    *corner = code_uniform(coder, self.vertex_count, wanted.unwrap_or(0));
+                    known.add(*corner);
                 } else {
-                    *corner =
-                        known[code_uniform(coder, known.len() as u32, place.unwrap_or(0) as u32) as usize];
+                    let place = code_uniform(coder, known.all.len() as u32, place.unwrap_or(0));
+                    *corner = known.all[place as usize];
                 }
             }
             let [a, b, c] = corners;
@@ -275,6 +271,23 @@ impl FragmentCoder {
             return near;
         }
         code_uniform(coder, self.group_count, actual.unwrap_or(0))
+    }
+}
+
+/// The vertices that a list of triangles can name by their places.
+#[derive(Clone, Debug, Default)]
+struct KnownVertices {
+    all: Vec<u32>,
+    place_of: HashMap<u32, u32>,
+}
+
+impl KnownVertices {
+    /// Adds a vertex, unless it is there.
+    fn add(&mut self, vertex: u32) {
+        let next = self.all.len() as u32;
+        if *self.place_of.entry(vertex).or_insert(next) == next {
+            self.all.push(vertex);
+        }
     }
 }
 

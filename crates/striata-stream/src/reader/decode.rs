@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use striata::mesh::{
-    AttributeLayer, CollapseSequence, ColorSpace, FragmentedMesh, IndexedMesh, PositionIndex, RefinableMesh,
-    SequenceParts, TriangleGroup,
+    AttributeLayer, CollapseSequence, ColorSpace, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, Steps,
+    TriangleGroup,
 };
 use striata::{Progress, ProgressFn};
 
@@ -540,13 +540,17 @@ impl StreamDecoder {
         self.header.as_ref().is_some_and(|header| header.has_fragments)
     }
 
-    /// Returns the mesh decoded so far with the fragments that led to it.
+    /// Returns the mesh decoded so far with its steps, collapses or fragments.
     ///
-    /// `None` before the base mesh has been decoded, for streams of vertex splits, and if the fragments of a damaged
-    /// stream are no sequence.
-    pub fn fragmented_mesh(&self) -> Option<FragmentedMesh> {
-        let fragments = self.fragments.as_ref()?;
-        fragments.fragmented_mesh(self.mesh()?, |step| self.error_at(step).unwrap_or(0.0)).ok()
+    /// `None` before the base mesh has been decoded, and if the fragments of a damaged stream are no sequence.
+    pub fn steps(&self) -> Option<Steps> {
+        match &self.fragments {
+            None => self.refinable_mesh().map(Steps::Collapses),
+            Some(fragments) => {
+                let error_of = |step| self.error_at(step).unwrap_or(0.0);
+                fragments.fragmented_mesh(self.mesh()?, error_of).ok().map(Steps::Fragments)
+            }
+        }
     }
 
     /// Returns the mesh decoded so far, its triangles sorted by group.

@@ -1,17 +1,18 @@
 //! Encodes fragments: a base mesh like that of any stream, then one record after another.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 use striata::mesh::{
-    CollapseSequence, Face, FragmentedMesh, PositionIndex, RefinableMesh, SequenceParts, canonical_triangles,
+    CollapseSequence, Face, FragmentSequence, FragmentedMesh, PositionIndex, RefinableMesh, SequenceParts, canonical_triangles,
     replay_fragments,
 };
 use striata::{Progress, ProgressFn, ignore_progress};
 
 use crate::StreamDecoder;
-use crate::entropy::RangeWriter;
+use crate::entropy::{PART_COUNT, RangeWriter};
 use crate::format::header::{ChunkEntry, min_bytes_of_fragments, min_chunk_bytes, min_total_bytes};
-use crate::fragments::record::{CodedFragment, FragmentCoder, NoFragment};
+use crate::fragments::record::{CodedFragment, FragmentCoder};
 use crate::fragments::values::{ValueCoder, VertexValues};
 use crate::writer::chunks::chunk_end;
 use crate::writer::defect::{BatchDefect, StreamError};
@@ -34,8 +35,8 @@ use crate::writer::encode::{
 /// let stream = encode_fragments(&built.fragmented, &StreamOptions::default())?;
 /// let mut decoder = StreamDecoder::new();
 /// decoder.push(&stream.bytes)?;
-/// let fragmented = decoder.fragmented_mesh().expect("a complete stream");
-/// assert_eq!(fragmented.mesh.triangle_count(), 1024);
+/// let steps = decoder.steps().expect("a complete stream");
+/// assert_eq!(steps.mesh().triangle_count(), 1024);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
@@ -71,94 +72,32 @@ pub fn encode_fragments_with_progress(
     let plan = StreamPlan { options, layout, totals };
     let Encoded { mut header, chunks, source_vertex: mut source } =
         encode_splits(&base_of(fragmented), &[0], &plan, progress)?;
-    let StreamPlan { layout, .. } = plan;
-
-    // The reader's base mesh, in the reader's order.
+    let mut decoder = StreamDecoder::new();
     let mut base = header.to_bytes()?;
     chunks.chunks.iter().for_each(|chunk| base.extend_from_slice(&chunk.bytes));
-    let mut decoder = StreamDecoder::new();
     decoder.push(&base).map_err(|_| BatchDefect::Dependent { batch: 0 })?;
-    let base_vertex_count = source.len();
-    source.extend(base_vertex_count as u32..mesh.vertex_count() as u32);
-    let mut vertex_of = vec![0; source.len()];
-    (0..).zip(&source).for_each(|(vertex, &source)| vertex_of[source as usize] = vertex);
-    let renamed = |face: Face| Face { corners: face.corners.map(|v| vertex_of[v as usize]), ..face };
-
-    let all = VertexValues {
-        points: source.iter().map(|&v| layout.grid.quantize(mesh.positions[v as usize])).collect(),
-        positions: source.iter().map(|&v| mesh.positions[v as usize]).collect(),
-        integers: mesh
-            .layers
-            .iter()
-            .zip(&layout.forms)
-            .map(|(layer, form)| {
-                let (integers, count) = (form.integers(layer), form.integer_count());
-                source.iter().flat_map(|&v| integers[v as usize * count..][..count].to_vec()).collect()
-            })
-            .collect(),
-    };
-    let group_of = |at: usize| decoder.triangle_groups().get(at).copied().unwrap_or(0);
-    let base_faces = decoder.triangles().iter().enumerate();
-    let base_faces: Vec<Face> =
-        base_faces.map(|(at, &corners)| Face { corners, group: group_of(at) }).collect();
-    let mut number_of: HashMap<Face, Vec<u32>> = HashMap::new();
-    for (number, &face) in (0..).zip(&base_faces) {
-        number_of.entry(canonical(face)).or_default().push(number);
-    }
-    let group_count = mesh.groups.len() as u32;
-    let mut coder = FragmentCoder::new(base_faces.iter().copied(), base_vertex_count as u32, group_count)
-        .with_triangle_limit(u64::MAX);
-    let mut values = ValueCoder::new(
-        all.first(base_vertex_count, &layout.forms),
-        layout.grid,
-        &layout.forms,
-        layout.is_exact,
-    );
+    let base_vertex_count = source.len() as u32;
+    source.extend(base_vertex_count..totals.vertex_count);
+    let mut writer = FragmentWriter::new(fragmented, &decoder, &source, &plan.layout);
 
     let mut spent = chunks.spent;
-    let mut exchanged = 0u64;
-    let mut created = base_faces.len() as u32;
     let mut bodies: Vec<Vec<u8>> = chunks.chunks.into_iter().map(|chunk| chunk.bytes).collect();
-    let step_count = fragments.step_count();
+    let step_count = levels.step_count();
     let mut done = 0;
     while done < step_count {
         Progress { phase: "encode", done: done as u64, total: step_count as u64 }.report(progress)?;
         let end = chunk_end(done, step_count);
-        let mut writer = RangeWriter::new();
-        for step in done as u32..end as u32 {
-            let face = |face: u32| renamed(fragments.faces()[face as usize]);
-            let number = |at: &u32| number_of.get_mut(&canonical(face(*at)))?.pop();
-            let actual = CodedFragment {
-                own_count: levels.step_vertices(step as usize).len() as u32,
-                floor: fragments.floor(step).iter().map(number).collect::<Option<_>>().unwrap_or_default(),
-                ceiling: fragments.ceiling(step).map(face).collect(),
-            };
-            let no_fragment = |NoFragment| BatchDefect::Dependent { batch: step as usize };
-            let coded = coder.code(&mut writer, &actual).map_err(no_fragment)?;
-            values.code(&mut writer, &coded, Some(&all)).map_err(no_fragment)?;
-            coder.apply(&coded);
-            exchanged += (coded.floor.len() + coded.ceiling.len()) as u64;
-            for &face in &coded.ceiling {
-                number_of.entry(canonical(face)).or_default().push(created);
-                created += 1;
-            }
-        }
-        let (mut bytes, bits) = writer.finish();
+        let (bytes, bits) = writer.chunk(done as u32..end as u32)?;
         spent.iter_mut().zip(bits).for_each(|(sum, bits)| *sum += bits);
-        bytes.resize(bytes.len().max(min_chunk_bytes(end - done, 0)), 0);
         bodies.push(bytes);
-        header.chunks.push(ChunkEntry {
-            bytes: 0,
-            split_count: end as u32,
-            error: levels.error_at(done),
-            checksum: 0,
-        });
+        let error = levels.error_at(done);
+        header.chunks.push(ChunkEntry { bytes: 0, split_count: end as u32, error, checksum: 0 });
         done = end;
     }
-    header.max_patch = u32::try_from(exchanged).unwrap_or(u32::MAX);
-    let coded: usize = bodies.iter().map(Vec::len).sum();
+    header.max_patch = u32::try_from(writer.exchanged).unwrap_or(u32::MAX);
     let wedges = totals.vertex_count as usize - totals.position_count as usize;
     let least = min_bytes_of_fragments(header.max_patch).max(min_total_bytes(wedges));
+    let coded: usize = bodies.iter().map(Vec::len).sum();
     if let Some(last) = bodies.last_mut() {
         // A reader treats missing bytes as zeros, so appending zeros changes nothing.
         last.resize(last.len() + least.saturating_sub(coded), 0);
@@ -174,6 +113,103 @@ pub fn encode_fragments_with_progress(
     bodies.iter().for_each(|body| bytes.extend_from_slice(body));
     let sizes = StreamSizes::of(bytes.len(), &spent);
     Ok(EncodedStream { bytes, sizes, source_vertex: source })
+}
+
+/// Codes the fragments of a mesh, from the base mesh as a reader has it.
+struct FragmentWriter<'m> {
+    fragments: &'m FragmentSequence,
+    coder: FragmentCoder,
+    values: ValueCoder,
+    /// Values of all vertices, in the order of the stream.
+    all: VertexValues,
+    /// For each vertex of the mesh, that of the stream.
+    vertex_of: Vec<u32>,
+    /// Numbers of the triangles of the level.
+    number_of: HashMap<Face, Vec<u32>>,
+    /// Number of triangles so far, those of the base mesh included.
+    created: u32,
+    /// Number of triangles of all floors and ceilings so far.
+    exchanged: u64,
+}
+
+impl<'m> FragmentWriter<'m> {
+    /// Starts with the base mesh that a reader has; `source` has the vertex of the mesh for each vertex of the stream.
+    fn new(
+        FragmentedMesh { mesh, fragments }: &'m FragmentedMesh,
+        reader: &StreamDecoder,
+        source: &[u32],
+        StreamLayout { grid, forms, is_exact }: &StreamLayout,
+    ) -> Self {
+        let mut vertex_of = vec![0; source.len()];
+        (0..).zip(source).for_each(|(vertex, &source)| vertex_of[source as usize] = vertex);
+        let integers = mesh.layers.iter().zip(forms).map(|(layer, form)| {
+            let (integers, count) = (form.integers(layer), form.integer_count());
+            source.iter().flat_map(|&v| integers[v as usize * count..][..count].to_vec()).collect()
+        });
+        let all = VertexValues {
+            points: source.iter().map(|&v| grid.quantize(mesh.positions[v as usize])).collect(),
+            positions: source.iter().map(|&v| mesh.positions[v as usize]).collect(),
+            integers: integers.collect(),
+        };
+        let group_of = |at: usize| reader.triangle_groups().get(at).copied().unwrap_or(0);
+        let corners = reader.triangles().iter().enumerate();
+        let base: Vec<Face> = corners.map(|(at, &corners)| Face { corners, group: group_of(at) }).collect();
+        let mut number_of: HashMap<Face, Vec<u32>> = HashMap::new();
+        for (number, &face) in (0..).zip(&base) {
+            number_of.entry(canonical(face)).or_default().push(number);
+        }
+        let vertex_count = reader.positions().len();
+        let coder = FragmentCoder::new(base.iter().copied(), vertex_count as u32, mesh.groups.len() as u32);
+        Self {
+            fragments,
+            coder: coder.with_triangle_limit(u64::MAX),
+            values: ValueCoder::new(all.first(vertex_count, forms), *grid, forms, *is_exact),
+            all,
+            vertex_of,
+            number_of,
+            created: base.len() as u32,
+            exchanged: 0,
+        }
+    }
+
+    /// Codes steps, and returns their bytes and the bits of each part.
+    ///
+    /// # Errors
+    /// If a step replaces triangles that are not there.
+    fn chunk(&mut self, steps: Range<u32>) -> Result<(Vec<u8>, [f64; PART_COUNT]), BatchDefect> {
+        let step_count = steps.len();
+        let mut writer = RangeWriter::new();
+        for step in steps {
+            self.step(&mut writer, step).ok_or(BatchDefect::Dependent { batch: step as usize })?;
+        }
+        let (mut bytes, bits) = writer.finish();
+        bytes.resize(bytes.len().max(min_chunk_bytes(step_count, 0)), 0);
+        Ok((bytes, bits))
+    }
+
+    /// Codes a step; [`None`] if it replaces triangles that are not there.
+    fn step(&mut self, writer: &mut RangeWriter, step: u32) -> Option<()> {
+        let named = |face: u32| {
+            let face = self.fragments.faces()[face as usize];
+            Face { corners: face.corners.map(|v| self.vertex_of[v as usize]), ..face }
+        };
+        let number_of = &mut self.number_of;
+        let floor = self.fragments.floor(step).iter().map(|&face| number_of.get_mut(&canonical(named(face)))?.pop());
+        let actual = CodedFragment {
+            own_count: self.fragments.levels().step_vertices(step as usize).len() as u32,
+            floor: floor.collect::<Option<_>>()?,
+            ceiling: self.fragments.ceiling(step).map(named).collect(),
+        };
+        let coded = self.coder.code(writer, &actual).ok()?;
+        self.values.code(writer, &coded, Some(&self.all)).ok()?;
+        self.coder.apply(&coded);
+        self.exchanged += (coded.floor.len() + coded.ceiling.len()) as u64;
+        for &face in &coded.ceiling {
+            self.number_of.entry(canonical(face)).or_default().push(self.created);
+            self.created += 1;
+        }
+        Some(())
+    }
 }
 
 /// The base mesh as a sequence without steps.

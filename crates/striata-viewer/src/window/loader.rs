@@ -18,7 +18,7 @@ use crate::picture::has_materials;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::Output;
-use striata_command::sequence::{SequencePlan, Steps};
+use striata_command::sequence::SequencePlan;
 
 /// Callback that wakes the window.
 pub(super) type Waker = Arc<dyn Fn() + Send + Sync>;
@@ -235,11 +235,7 @@ fn read_levels(
     let file = input.striata()?;
     let damaged = |error| input.damaged(&error);
     input.remark_on(&file, output)?;
-    let steps = if file.has_collapses() {
-        Steps::Collapses(file.refinable_mesh().map_err(damaged)?)
-    } else {
-        Steps::Fragments(file.fragmented_mesh().map_err(damaged)?)
-    };
+    let steps = file.steps().map_err(damaged)?;
     reporter.phase("check");
     let models = StoredModels {
         strips: file.strips().transpose().map_err(damaged)?,

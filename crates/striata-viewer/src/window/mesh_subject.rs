@@ -11,7 +11,7 @@ use striata_strip::{LiveStrips, RepairOptions};
 use super::args::ShownModel;
 use super::subject::Origin;
 use striata_command::failure::Failure;
-use striata_command::sequence::Steps;
+use striata::mesh::Steps;
 
 /// One mesh and its models. Missing models are built on demand, once, on a background thread.
 #[derive(Debug)]

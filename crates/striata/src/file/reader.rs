@@ -10,7 +10,7 @@ use super::container::{Container, Ending};
 use super::mesh_sections::{appearance_from_bytes, groups_from_bytes, layer_from_bytes};
 use super::{DecodeError, SectionInfo, SectionKind, StreamCodec, Summary, Verify};
 use crate::mesh::{
-    AttributeLayer, CollapseSequence, IndexedMesh, Levels, PositionIndex, RefinableMesh, SequenceParts,
+    AttributeLayer, CollapseSequence, IndexedMesh, Levels, PositionIndex, RefinableMesh, SequenceParts, Steps,
     TriangleGroup, layers_from_sorted, level_sources,
 };
 use crate::model::fans::FansParts;
@@ -30,7 +30,7 @@ pub struct StriataFile<'a> {
     /// The patterns, cached after validation.
     patterns: OnceLock<Patterns>,
     /// The decoded mesh of a file that contains only a stream.
-    decoded: OnceLock<RefinableMesh>,
+    decoded: OnceLock<Steps>,
     /// The full mesh and its collapses, if levels need them for the data of their triangles.
     full: OnceLock<(IndexedMesh, Option<CollapseSequence>)>,
     codec: Option<&'static dyn StreamCodec>,
@@ -100,8 +100,8 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// [`DecodeError`] if the section is invalid.
     pub fn positions(&self) -> Result<Cow<'a, [[f32; 3]]>, DecodeError> {
-        if let Some(refinable) = self.mesh_of_stream()? {
-            return Ok(refinable.mesh.positions.clone().into());
+        if let Some(steps) = self.mesh_of_stream()? {
+            return Ok(steps.mesh().positions.clone().into());
         }
         let kind = SectionKind::POSITIONS;
         let positions = self.container.numbers::<[f32; 3]>(kind)?;
@@ -136,8 +136,8 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// [`DecodeError`] if a section is invalid.
     pub fn layers(&self) -> Result<Vec<AttributeLayer>, DecodeError> {
-        if let Some(refinable) = self.mesh_of_stream()? {
-            return Ok(refinable.mesh.layers.clone());
+        if let Some(steps) = self.mesh_of_stream()? {
+            return Ok(steps.mesh().layers.clone());
         }
         self.layers_of_first(self.positions()?.len())
     }
@@ -192,8 +192,8 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// [`DecodeError`] if the section is invalid.
     pub fn groups(&self) -> Result<Vec<TriangleGroup>, DecodeError> {
-        if let Some(refinable) = self.mesh_of_stream()? {
-            return Ok(refinable.mesh.groups.clone());
+        if let Some(steps) = self.mesh_of_stream()? {
+            return Ok(steps.mesh().groups.clone());
         }
         let kind = SectionKind::GROUPS;
         let groups = groups_from_bytes(self.container.get(kind)?)?;
@@ -206,8 +206,8 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// [`DecodeError`] if the section is invalid.
     pub fn errors(&self) -> Result<Cow<'a, [f32]>, DecodeError> {
-        if let Some(refinable) = self.mesh_of_stream()? {
-            return Ok(refinable.sequence.errors().to_vec().into());
+        if let Some(steps) = self.mesh_of_stream()? {
+            return Ok(steps.levels().errors().to_vec().into());
         }
         let errors = self.container.numbers::<f32>(SectionKind::ERRORS)?;
         self.expect(SectionKind::ERRORS, "errors", errors.len(), self.summary.step_count)?;
@@ -216,6 +216,9 @@ impl<'a> StriataFile<'a> {
 
     /// Whether the steps of the file are collapses; if not, its levels are only available as fans or patterns.
     pub fn has_collapses(&self) -> bool {
+        if self.is_stream_only() {
+            return self.has_collapses_in_stream();
+        }
         self.has(SectionKind::TARGETS) || !(self.has_patterns() || self.has(SectionKind::FAN_ENTRIES))
     }
 
@@ -224,6 +227,9 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// [`DecodeError`] if a section is invalid.
     pub fn levels(&self) -> Result<Levels, DecodeError> {
+        if let Some(steps) = self.mesh_of_stream()? {
+            return Ok(steps.levels().clone());
+        }
         if self.has_collapses() {
             return Ok(self.sequence()?.levels().clone());
         }
@@ -240,8 +246,8 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// [`DecodeError`] if a section is invalid, or if the steps are not collapses.
     pub fn sequence(&self) -> Result<CollapseSequence, DecodeError> {
-        if let Some(refinable) = self.mesh_of_stream()? {
-            return Ok(refinable.sequence.clone());
+        if let Some(steps) = self.mesh_of_stream()? {
+            return Ok(steps.collapses().ok_or(DecodeError::NoCollapses)?.sequence.clone());
         }
         if !self.has_collapses() {
             return Err(DecodeError::NoCollapses);
@@ -460,6 +466,17 @@ impl<'a> StriataFile<'a> {
         Ok(RefinableMesh { mesh: self.mesh()?, sequence })
     }
 
+    /// The whole mesh with its steps, whether they are collapses or not, validated and copied out of the file.
+    ///
+    /// # Errors
+    /// [`DecodeError`] if any part is invalid or inconsistent with the others.
+    pub fn steps(&self) -> Result<Steps, DecodeError> {
+        Ok(match self.has_collapses() {
+            true => Steps::Collapses(self.refinable_mesh()?),
+            false => Steps::Fragments(self.fragmented_mesh()?),
+        })
+    }
+
     /// The whole mesh, validated and copied out of the file, with its triangles in the order of
     /// [`refinable_mesh`](Self::refinable_mesh). If a file contains only a stream, this is the part of it
     /// that is available.
@@ -467,8 +484,8 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// [`DecodeError`] if any part is invalid or inconsistent with the others.
     pub fn mesh(&self) -> Result<IndexedMesh, DecodeError> {
-        if let Some(refinable) = self.mesh_of_stream()? {
-            return Ok(refinable.mesh.clone());
+        if let Some(steps) = self.mesh_of_stream()? {
+            return Ok(steps.mesh().clone());
         }
         let mut mesh = IndexedMesh {
             positions: self.positions()?.into_owned(),
@@ -509,8 +526,8 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// [`DecodeError`] if the file has no model or no such level, or if any part is invalid.
     pub fn level(&self, split_count: usize) -> Result<IndexedMesh, DecodeError> {
-        if let Some(refinable) = self.mesh_of_stream()? {
-            return read_stream::level(refinable, split_count);
+        if let Some(steps) = self.mesh_of_stream()? {
+            return read_stream::level(steps, split_count);
         }
         let step_count = self.summary.step_count;
         if split_count > step_count {

@@ -6,7 +6,7 @@
 use std::fmt::Debug;
 
 use super::{DecodeError, Summary};
-use crate::mesh::RefinableMesh;
+use crate::mesh::Steps;
 
 /// The first bytes of a stream.
 pub const STREAM_MAGIC: [u8; 4] = *b"\x89STR";
@@ -38,13 +38,15 @@ pub struct StreamHead {
     pub stream_bytes: u64,
     /// Counts of the mesh; the bounds may be unknown.
     pub summary: Summary,
+    /// Whether its steps are collapses.
+    pub has_collapses: bool,
 }
 
 /// Result of decoding a stream.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StreamMesh {
-    /// The mesh decoded so far, with its collapse sequence.
-    pub refinable: RefinableMesh,
+    /// The mesh decoded so far, with its steps.
+    pub steps: Steps,
     /// Whether the whole stream has been decoded.
     pub is_complete: bool,
 }

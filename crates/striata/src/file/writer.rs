@@ -165,8 +165,8 @@ pub fn write_striata(
     write_sections(&lay_out(source, models, options)?, out)
 }
 
-/// Writes a mesh with fragments and its models as a `.striata` file. Fans and patterns can be built from
-/// fragments; the other models need collapses. At least one model is needed.
+/// Writes a mesh with fragments and its models as a `.striata` file: fans and patterns, or a stream of fragments and
+/// nothing else. The other models need collapses.
 ///
 /// A given input yields identical bytes on every machine. The triangles are read back in the order of the fans
 /// or, without these, of the patterns. The file keeps the errors of the levels; the errors of individual floors
@@ -180,7 +180,12 @@ pub fn write_fragments(
     options: &WriteOptions,
     out: &mut dyn Write,
 ) -> Result<(), EncodeError> {
-    let is_general = |model: &&FileModel<'_>| matches!(model, FileModel::Fans(_) | FileModel::Patterns(_));
+    let is_alone = models.len() == 1;
+    let is_general = |model: &&FileModel<'_>| match model {
+        FileModel::Fans(_) | FileModel::Patterns(_) => true,
+        FileModel::Progressive(_) => is_alone,
+        _ => false,
+    };
     if let Some(model) = models.iter().find(|model| !is_general(model)) {
         return Err(EncodeError::NeedsCollapses { model: model.kind() });
     }

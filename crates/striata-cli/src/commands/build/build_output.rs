@@ -17,7 +17,8 @@ use striata_command::clock::Phases;
 use striata_command::failure::Failure;
 use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall};
 use striata_command::output::Bar;
-use striata_command::sequence::{SequencePlan, SimplifiedSteps, StepKind, Steps};
+use striata::mesh::Steps;
+use striata_command::sequence::{SequencePlan, SimplifiedSteps, StepKind};
 use striata_command::strip_chain::{StripPlan, TimedStrips};
 use striata_command::strip_report::StripReport;
 

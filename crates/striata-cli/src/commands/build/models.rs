@@ -10,7 +10,8 @@ use striata_stream::{EncodedStream, file_model};
 use super::build_output::BuildPlan;
 use striata_command::failure::{Failure, unknown_name};
 use striata_command::output::Bar;
-use striata_command::sequence::{SimplifiedSteps, Steps};
+use striata::mesh::Steps;
+use striata_command::sequence::SimplifiedSteps;
 use striata_command::strip_chain::StripPlan;
 
 /// Parses the name of a model.
@@ -84,7 +85,7 @@ impl Models {
             models.mts =
                 strips_for(ModelKind::Mts).map(|strips| Mts::build(refinable, strips.full)).transpose()?;
         }
-        models.fans = is_wanted(ModelKind::Fans).then(|| Fans::build(sequenced.steps.fan_source()));
+        models.fans = is_wanted(ModelKind::Fans).then(|| Fans::build(&sequenced.steps));
         if is_wanted(ModelKind::Patterns) {
             let fragmented = sequenced.fragments(&mut |progress| bar.show(progress))?;
             models.patterns = Some(if plan.has_overlap_errors {

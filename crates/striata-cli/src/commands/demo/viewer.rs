@@ -6,7 +6,8 @@ use striata_stream::{StreamOptions, encode_stream};
 use super::folder::Folder;
 use striata_command::failure::Failure;
 use striata_command::output::{Bar, format_count};
-use striata_command::sequence::{BatchSettings, SequencePlan, Steps};
+use striata::mesh::Steps;
+use striata_command::sequence::{BatchSettings, SequencePlan};
 use striata_viewer::viewer_page::self_contained;
 
 /// File name of the stream.

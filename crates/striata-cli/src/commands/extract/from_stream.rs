@@ -4,7 +4,6 @@ use std::time::Instant;
 
 use serde::Serialize;
 use striata::file::StriataFile;
-use striata::mesh::replay;
 use striata::model::ModelKind;
 use striata::simplify::StopReason;
 use striata_stream::StreamDecoder;
@@ -73,12 +72,12 @@ pub(super) fn run(
     // One pass, as far as the finest level needs.
     let are_enough = |decoder: &StreamDecoder| targets.iter().all(|&target| has_level(decoder, target));
     let received = DecodedStream::read_levels(stream, are_enough).map_err(damaged)?;
-    let refinable = received.refinable().map_err(damaged)?;
+    let steps = received.steps().map_err(damaged)?;
     let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some(), output);
     let mut reports = Vec::new();
     for (request, &target) in requests.iter().zip(&targets) {
-        let (split_count, end) = resolve(target, &received, refinable.sequence.levels());
-        let mesh = replay(&refinable, split_count).without_unused_vertices();
+        let (split_count, end) = resolve(target, &received, steps.levels());
+        let mesh = steps.level(split_count).without_unused_vertices();
         let (vertex_count, triangle_count) = (mesh.vertex_count(), mesh.triangle_count());
         let stop_reason = match end {
             StreamStopReason::Level(stop_reason) => stop_reason,
@@ -96,7 +95,7 @@ pub(super) fn run(
         let is_last = split_count == received.decoder.split_count();
         let error = match received.decoder.error() {
             Some(error) if is_last => error,
-            _ => refinable.sequence.error_at(split_count),
+            _ => steps.levels().error_at(split_count),
         };
         reports.push(Report {
             written: written.with_error(error),

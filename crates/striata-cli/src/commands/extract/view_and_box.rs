@@ -16,7 +16,6 @@ use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::Output;
 use striata_command::save::write_mesh;
-use striata_command::sequence::Steps;
 
 /// Extracts and writes the level for a view.
 ///
@@ -43,14 +42,10 @@ pub(super) fn run_view(
         return report_patterns(args, (&model, level), input, started, output);
     }
     let damaged = |error| input.damaged(&error);
-    let steps = if file.has_collapses() {
-        Steps::Collapses(file.refinable_mesh().map_err(damaged)?)
-    } else {
-        Steps::Fragments(file.fragmented_mesh().map_err(damaged)?)
-    };
+    let steps = file.steps().map_err(damaged)?;
     let stored = file.fans().transpose().map_err(damaged)?;
     let fans = if stored.is_some() { "stored" } else { "built" };
-    let table = stored.unwrap_or_else(|| Fans::build(steps.fan_source()));
+    let table = stored.unwrap_or_else(|| Fans::build(&steps));
     let limit = triangle_limit(args, &file);
     let level = level_of_view(&table, &steps, &view, camera, limit);
     let (pixels, primitives) = (level.pixels, primitives_of(args.form, &level.mesh, None)?);

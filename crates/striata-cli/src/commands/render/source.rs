@@ -18,7 +18,8 @@ use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{CoarseningLimit, FullMesh, ReachedLevel, shortfall};
 use striata_command::output::{Bar, Output, format_count};
-use striata_command::sequence::{SequencePlan, Steps};
+use striata::mesh::Steps;
+use striata_command::sequence::SequencePlan;
 use striata_scene::drawn::ImageLimits;
 use striata_viewer::picture::{SceneLook, with_normals};
 
@@ -232,7 +233,7 @@ impl<'a> Source<'a> {
         }
         let stored = levels.file.as_ref().and_then(StriataFile::fans).transpose();
         let stored = stored.map_err(|error| input.damaged(&error))?;
-        let fans = stored.unwrap_or_else(|| Fans::build(levels.steps.fan_source()));
+        let fans = stored.unwrap_or_else(|| Fans::build(&levels.steps));
         let level = level_of_view(&fans, &levels.steps, &view, camera, limit);
         Ok(Figure::of_view(ModelKind::Fans, level, limit))
     }
@@ -274,11 +275,7 @@ impl<'a> Levels<'a> {
     fn of_file(args: &RenderArgs, file: StriataFile<'a>, input: &Input) -> Result<Self, Failure> {
         let damaged = |error| input.damaged(&error);
         let error_is_guaranteed = errors_are_guaranteed(&file).map_err(damaged)?;
-        let steps = with_level_normals(if file.has_collapses() {
-            Steps::Collapses(file.refinable_mesh().map_err(damaged)?)
-        } else {
-            Steps::Fragments(file.fragmented_mesh().map_err(damaged)?)
-        });
+        let steps = with_level_normals(file.steps().map_err(damaged)?);
         let is_wanted = |kind| args.model.is_none_or(|wanted| wanted == DrawnModel::Model(kind));
         let model = if args.heat {
             Model::List
@@ -358,7 +355,7 @@ impl Model<'_> {
         let refinable = match (steps, model) {
             (_, DrawnModel::List) => return Ok(Self::List),
             (_, DrawnModel::Model(ModelKind::Fans)) => {
-                return Ok(Self::Fans(Fans::build_without_bounds(steps.fan_source())));
+                return Ok(Self::Fans(Fans::build_without_bounds(&steps)));
             }
             (steps, DrawnModel::Model(ModelKind::Patterns)) => {
                 return Ok(Self::Patterns(Patterns::build(&steps.fragments())?));

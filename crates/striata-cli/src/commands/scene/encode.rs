@@ -73,7 +73,7 @@ pub(in crate::commands) fn encode(
     let (bytes, sizes) = match format {
         Format::Glb => (glb(args, input, &scene, &mut bar)?, None),
         _ => {
-            let options = stream_options(args, &scene);
+            let options = stream_options(args, &scene)?;
             let encoded = encode_scene_with_progress(&scene, &options, &mut |progress| bar.show(progress));
             let encoded = encoded.map_err(|error| Failure::user(format!("{}: {error}", input.name)))?;
             (encoded.bytes, Some(encoded.sizes.into()))
@@ -99,27 +99,29 @@ pub(in crate::commands) fn encode(
     output.summary(&report, &report.to_text(args.output.is_none()))
 }
 
-fn batches(args: &EncodeArgs) -> BatchOptions {
-    let mut batches = BatchOptions::default();
+fn batches(args: &EncodeArgs, lods: &LodOptions) -> BatchOptions {
+    let mut batches = BatchOptions::default().with_sequence(lods.sequence.clone());
     batches.share = args.stream.share.unwrap_or(batches.share);
     batches
 }
 
-fn stream_options(args: &EncodeArgs, scene: &Scene) -> SceneStreamOptions {
-    SceneStreamOptions::default()
+fn stream_options(args: &EncodeArgs, scene: &Scene) -> Result<SceneStreamOptions, Failure> {
+    let lods = args.sequence.scene_options(scene, false)?;
+    Ok(SceneStreamOptions::default()
         .with_stream(args.stream.options(scene.diagonal()))
-        .with_batches(batches(args))
-        .with_preview_side(args.preview)
+        .with_batches(batches(args, &lods))
+        .with_preview_side(args.preview))
 }
 
 /// Encodes a GLB file that shows a coarse level and contains the stream of each mesh.
 fn glb(args: &EncodeArgs, input: &Input, scene: &Scene, bar: &mut Bar) -> Result<Vec<u8>, Failure> {
     let failed = |error: BuildError| Failure::user(format!("{}: {error}", input.name));
-    let lods =
-        LodScene::build_with_progress(scene, &LodOptions::default(), &mut |progress| bar.show(progress));
+    let options = args.sequence.scene_options(scene, false)?;
+    let batches = batches(args, &options);
+    let lods = LodScene::build_with_progress(scene, &options, &mut |progress| bar.show(progress));
     let options = GlbStreamOptions::default()
         .with_stream(args.stream.options(scene.diagonal()))
-        .with_batches(batches(args));
+        .with_batches(batches);
     let bytes = lods.map_err(failed)?.to_glb_with_stream(&options);
     bytes.map_err(|error| Failure::user(format!("{}: {error}", input.name)))
 }

@@ -64,7 +64,7 @@ impl Streams {
         let bytes = self.encode(bits, effort)?;
         let encode_secs = self.simplify_secs + started.elapsed().as_secs_f64();
         let decode_secs = fastest(|| Ok(DecodedStream::read_all(&bytes)?.decode_secs))?;
-        let mesh = DecodedStream::read_all(&bytes)?.refinable()?.mesh;
+        let mesh = DecodedStream::read_all(&bytes)?.steps()?.into_mesh();
         Ok(Coded { bytes: bytes.len(), mesh, encode_secs, decode_secs })
     }
 
@@ -86,7 +86,7 @@ impl Streams {
         for i in 0..PREFIXES {
             let length = base * ratio.powf(f64::from(i) / f64::from(PREFIXES - 1));
             let length = (length.round() as usize).clamp(base as usize, bytes.len());
-            let shown = DecodedStream::read_all(&bytes[..length])?.refinable()?.mesh;
+            let shown = DecodedStream::read_all(&bytes[..length])?.steps()?.into_mesh();
             rows.extend(meter.row(&name, length, &shown));
         }
         Ok(rows)

@@ -67,6 +67,9 @@ impl StriataFile<'_> {
     /// # Errors
     /// [`DecodeError`] if any part is invalid or inconsistent with the others.
     pub fn fragmented_mesh(&self) -> Result<FragmentedMesh, DecodeError> {
+        if let Some(steps) = self.mesh_of_stream()? {
+            return Ok(steps.fragments().into_owned());
+        }
         let unsound = |model, reason| DecodeError::Model { model, reason };
         let fragments = if self.has_patterns() {
             let fragments = self.read_patterns()?.unpack(self.errors()?.into_owned());

@@ -3,7 +3,7 @@
 use super::super::container::{Container, Ending};
 use super::super::{DecodeError, SectionKind, StreamCodec, StreamHead, StreamMesh, Verify};
 use super::StriataFile;
-use crate::mesh::{IndexedMesh, RefinableMesh, replay};
+use crate::mesh::{IndexedMesh, Steps};
 
 impl<'a> StriataFile<'a> {
     /// Reads a file that may be truncated within its stream; the header, the table and all other sections
@@ -24,7 +24,7 @@ impl<'a> StriataFile<'a> {
     /// # Errors
     /// [`DecodeError`] under the conditions of [`StreamCodec::head`].
     pub fn from_stream(bytes: &'a [u8], codec: &'static dyn StreamCodec) -> Result<Self, DecodeError> {
-        let StreamHead { stream_bytes, summary } = codec.head(bytes)?;
+        let StreamHead { stream_bytes, summary, .. } = codec.head(bytes)?;
         Ok(Self::of_parts(Container::of_stream(bytes, stream_bytes), summary).with_codec(codec))
     }
 
@@ -61,38 +61,47 @@ impl<'a> StriataFile<'a> {
         self.codec()?.metadata(self.container.get(SectionKind::STREAM)?)
     }
 
+    /// Whether the steps of the stream are collapses; true if that cannot be known.
+    pub(super) fn has_collapses_in_stream(&self) -> bool {
+        if let Some(steps) = self.decoded.get() {
+            return steps.collapses().is_some();
+        }
+        let head = || self.codec()?.head(self.container.get(SectionKind::STREAM)?);
+        head().map_or(true, |head| head.has_collapses)
+    }
+
     /// The decoded mesh of the stream, if the file contains only a stream.
-    pub(super) fn mesh_of_stream(&self) -> Result<Option<&RefinableMesh>, DecodeError> {
+    pub(super) fn mesh_of_stream(&self) -> Result<Option<&Steps>, DecodeError> {
         if !self.is_stream_only() {
             return Ok(None);
         }
-        if let Some(refinable) = self.decoded.get() {
-            return Ok(Some(refinable));
+        if let Some(steps) = self.decoded.get() {
+            return Ok(Some(steps));
         }
-        let refinable = self.decode()?;
-        Ok(Some(self.decoded.get_or_init(|| refinable)))
+        let steps = self.decode()?;
+        Ok(Some(self.decoded.get_or_init(|| steps)))
     }
 
-    fn decode(&self) -> Result<RefinableMesh, DecodeError> {
+    fn decode(&self) -> Result<Steps, DecodeError> {
         let codec = self.codec()?;
         let bytes = self.container.get(SectionKind::STREAM)?;
-        let StreamMesh { refinable, is_complete } = codec.decode(bytes, self.is_truncated())?;
+        let StreamMesh { steps, is_complete } = codec.decode(bytes, self.is_truncated())?;
         if is_complete {
-            self.expect_decoded(&refinable)?;
+            self.expect_decoded(&steps)?;
         }
-        refinable.mesh.check()?;
-        Ok(refinable)
+        steps.mesh().check()?;
+        Ok(steps)
     }
 
-    fn expect_decoded(&self, refinable: &RefinableMesh) -> Result<(), DecodeError> {
-        let RefinableMesh { mesh, sequence } = refinable;
+    fn expect_decoded(&self, steps: &Steps) -> Result<(), DecodeError> {
+        let (mesh, levels) = (steps.mesh(), steps.levels());
         let summary = &self.summary;
         for (what, found, expected) in [
             ("vertices", mesh.vertex_count(), summary.vertex_count),
-            ("positions", sequence.positions().position_count(), summary.position_count),
+            ("positions", levels.positions().position_count(), summary.position_count),
             ("triangles", mesh.triangle_count(), summary.triangle_count),
             ("groups", mesh.groups.len(), summary.group_count),
-            ("steps", sequence.step_count(), summary.step_count),
+            ("steps", levels.step_count(), summary.step_count),
         ] {
             self.expect(SectionKind::STREAM, what, found, expected)?;
         }
@@ -104,10 +113,10 @@ impl<'a> StriataFile<'a> {
 ///
 /// # Errors
 /// [`DecodeError::SplitCount`] if the level does not exist or has not been received yet.
-pub(super) fn level(refinable: &RefinableMesh, split_count: usize) -> Result<IndexedMesh, DecodeError> {
-    let step_count = refinable.sequence.step_count();
+pub(super) fn level(steps: &Steps, split_count: usize) -> Result<IndexedMesh, DecodeError> {
+    let step_count = steps.levels().step_count();
     if split_count > step_count {
         return Err(DecodeError::SplitCount { split_count, step_count });
     }
-    Ok(replay(refinable, split_count))
+    Ok(steps.level(split_count))
 }

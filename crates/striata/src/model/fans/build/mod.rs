@@ -10,7 +10,7 @@ use self::tree::Tree;
 use super::crowns::{RingArc, crowns};
 use super::table::{Creator, Fan, TableWriter};
 use super::{Fans, MAX_ARCS};
-use crate::mesh::{FragmentedMesh, IndexedMesh, Levels, RefinableMesh};
+use crate::mesh::{FragmentedMesh, IndexedMesh, Levels, RefinableMesh, Steps};
 use crate::model::step_bounds::StepBounds;
 use crate::model::step_vertices::StepVertices;
 use crate::{Cancelled, Progress, ProgressFn, ignore_progress};
@@ -36,6 +36,15 @@ impl<'m> From<&'m RefinableMesh> for FanSource<'m> {
 impl<'m> From<&'m FragmentedMesh> for FanSource<'m> {
     fn from(fragmented: &'m FragmentedMesh) -> Self {
         Self::Fragments(fragmented)
+    }
+}
+
+impl<'m> From<&'m Steps> for FanSource<'m> {
+    fn from(steps: &'m Steps) -> Self {
+        match steps {
+            Steps::Collapses(refinable) => Self::Collapses(refinable),
+            Steps::Fragments(fragmented) => Self::Fragments(fragmented),
+        }
     }
 }
 
