@@ -100,9 +100,8 @@ fn streams_of_any_removal_are_read_by_every_verb() {
         bench.run(&format!("encode sphere.obj -o any.striata {flags} --quiet")).success();
         assert_eq!(bench.json("decode any.striata -o file.ply")["triangle_count"], 2240, "{flags}");
     }
-    let refused = bench.run("encode sphere.obj -o any.glb --order hausdorff").failure();
-    let text = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
-    assert!(text.contains("--order hausdorff is for one mesh"), "{text}");
+    let refused = bench.refused("encode sphere.obj -o any.glb --order hausdorff");
+    assert!(refused.contains("--order hausdorff is for one mesh"), "{refused}");
 }
 
 #[test]
