@@ -343,9 +343,7 @@ impl StreamDecoder {
 
     /// Brings the list of triangles up to date with the splits decoded so far.
     fn catch_up(&mut self) {
-        if let (Some(fragments), Some(header)) = (&mut self.fragments, &self.header) {
-            fragments.catch_up(header.groups.len());
-        } else if let Some(refiner) = &mut self.refiner {
+        if let Some(refiner) = self.refiner.as_mut().filter(|_| self.fragments.is_none()) {
             refiner.catch_up();
         }
     }
@@ -357,7 +355,7 @@ impl StreamDecoder {
 
     /// Number of vertices and of triangles decoded so far.
     fn sizes(&self) -> (usize, usize) {
-        (self.positions().len(), self.triangles().len())
+        (self.positions().len(), self.triangle_count())
     }
 
     /// Lists the changes since the given vertex and triangle counts.
@@ -409,10 +407,18 @@ impl StreamDecoder {
         header.layers.iter().enumerate().map(layer).collect()
     }
 
-    /// Triangles of the level decoded so far, in decoding order.
+    /// Number of triangles of the level decoded so far.
+    pub fn triangle_count(&self) -> usize {
+        match &self.fragments {
+            Some(fragments) => fragments.triangle_count(),
+            None => self.growth().map_or(0, |growth| growth.triangles.len()),
+        }
+    }
+
+    /// Triangles of the level decoded so far, in decoding order; those of fragments are listed when they are asked for.
     pub fn triangles(&self) -> &[[u32; 3]] {
         match &self.fragments {
-            Some(fragments) => &fragments.triangles,
+            Some(fragments) => fragments.triangles(),
             None => self.growth().map_or(&[], |growth| &growth.triangles),
         }
     }
@@ -420,7 +426,7 @@ impl StreamDecoder {
     /// Group of each triangle in [`triangles`](Self::triangles); empty if the mesh has at most one group.
     pub fn triangle_groups(&self) -> &[u32] {
         match &self.fragments {
-            Some(fragments) => &fragments.groups,
+            Some(fragments) => fragments.groups(),
             None => self.growth().map_or(&[], |growth| &growth.groups),
         }
     }

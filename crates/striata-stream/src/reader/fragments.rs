@@ -1,5 +1,7 @@
 //! Fragments as a reader receives them.
 
+use std::sync::OnceLock;
+
 use striata::mesh::{
     Face, Fragment, FragmentError, FragmentSequence, FragmentedMesh, IndexedMesh, PositionIndex,
 };
@@ -20,9 +22,17 @@ pub(crate) struct FragmentReader {
     received: Vec<CodedFragment>,
     /// First vertex of each position, followed by the number of vertices.
     first_vertex: Vec<u32>,
-    /// Triangles of the level and the group of each, once they were asked for since the last change.
-    pub(crate) triangles: Vec<[u32; 3]>,
-    pub(crate) groups: Vec<u32>,
+    group_count: usize,
+    /// Triangles of the level, once they were asked for since the last step.
+    listed: OnceLock<Listed>,
+}
+
+/// The triangles of a level by group.
+#[derive(Clone, Debug, Default)]
+struct Listed {
+    triangles: Vec<[u32; 3]>,
+    /// Group of each triangle; empty if there is at most one.
+    groups: Vec<u32>,
 }
 
 impl FragmentReader {
@@ -39,17 +49,15 @@ impl FragmentReader {
         let vertex_count = growth.positions.len() as u32;
         let coder = FragmentCoder::new(base.iter().copied(), vertex_count, header.groups.len() as u32)
             .with_triangle_limit(header.max_patch.into());
-        let mut reader = Self {
+        Self {
             coder,
             values: ValueCoder::new(values, header.grid, &header.layers, header.is_exact),
             base,
             received: Vec::new(),
             first_vertex: growth.first_vertex.clone(),
-            triangles: Vec::new(),
-            groups: Vec::new(),
-        };
-        reader.catch_up(header.groups.len());
-        reader
+            group_count: header.groups.len(),
+            listed: OnceLock::new(),
+        }
     }
 
     /// Number of fragments received.
@@ -105,17 +113,31 @@ impl FragmentReader {
         self.coder.apply(&fragment);
         self.first_vertex.push(self.positions().len() as u32);
         self.received.push(fragment);
+        self.listed = OnceLock::new();
         Ok(true)
     }
 
-    /// Lists the triangles of the level by group.
-    pub(crate) fn catch_up(&mut self, group_count: usize) {
-        let faces = &self.coder.faces;
-        let mut present: Vec<Face> = (0..faces.len()).map(|place| faces.get(faces.in_place(place))).collect();
-        present.sort_by_key(|face| face.group);
-        self.triangles = present.iter().map(|face| face.corners).collect();
-        self.groups =
-            if group_count > 1 { present.iter().map(|face| face.group).collect() } else { Vec::new() };
+    /// Triangles of the level by group.
+    pub(crate) fn triangles(&self) -> &[[u32; 3]] {
+        &self.listed().triangles
+    }
+
+    /// Group of each triangle; empty if the mesh has at most one.
+    pub(crate) fn groups(&self) -> &[u32] {
+        &self.listed().groups
+    }
+
+    fn listed(&self) -> &Listed {
+        self.listed.get_or_init(|| {
+            let faces = &self.coder.faces;
+            let mut present: Vec<Face> = (0..faces.len()).map(|place| faces.get(faces.in_place(place))).collect();
+            if self.group_count < 2 {
+                return Listed { triangles: present.iter().map(|face| face.corners).collect(), groups: Vec::new() };
+            }
+            present.sort_by_key(|face| face.group);
+            let (triangles, groups) = present.iter().map(|face| (face.corners, face.group)).unzip();
+            Listed { triangles, groups }
+        })
     }
 
     /// Returns the fragments with a mesh that has the triangles of the level; `error_of` is the error of a step.

@@ -82,7 +82,7 @@ pub(in crate::commands) fn detail_to_splits(target: Target, step_count: usize) -
 /// Whether the decoder has reached the target or a finer level.
 pub(in crate::commands) fn has_level(decoder: &StreamDecoder, target: Target) -> bool {
     match target {
-        Target::Triangles(count) => decoder.triangles().len() > count,
+        Target::Triangles(count) => decoder.triangle_count() > count,
         Target::Vertices(count) => decoder.positions().len() > count,
         Target::SplitCount(count) => decoder.split_count() >= count,
         Target::Error(error) => decoder.error().is_some_and(|e| f64::from(e) <= error),
