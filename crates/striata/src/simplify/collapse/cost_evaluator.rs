@@ -1,4 +1,4 @@
-//! Evaluates the cost of collapsing a position: a quick lower bound, or the best target with its full cost.
+//! Evaluates the cost of collapsing a position: a quick provisional cost, or the best target with its full cost.
 
 use glam::DVec3;
 

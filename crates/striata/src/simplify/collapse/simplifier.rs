@@ -1,11 +1,11 @@
 //! The main loop: applies the cheapest collapse and updates the costs around it.
 //!
 //! The queue has one entry per position, with the cost of its best target. A collapse changes the cost
-//! of the removed position's ring only, and each member of that ring first gets a **lower bound**: the
+//! of the removed position's ring only, and each member of that ring first gets a **provisional cost**: the
 //! quadratic form alone, without the flip, link and distance tests, times the factor by which the full
 //! cost nearly always exceeds it. The tests are done when a position reaches the top; if its full cost
-//! is higher than the next bound, it goes back. The order is therefore by full cost, except for the
-//! rare position whose full cost is below its bound, at a fraction of the work.
+//! is higher than the next key, it goes back. The order is therefore by full cost, except for the
+//! rare position whose full cost is below its provisional cost, at a fraction of the work.
 //!
 //! A **strict** target is one that preserves the topology. A position without one gets a relaxed target
 //! instead, and is queued at the cost of that. On a closed surface of a few parts, relaxed collapses begin
@@ -26,7 +26,7 @@ use super::refinement_order::{CollapseRecord, StepCost};
 use super::relaxation_schedule::RelaxationSchedule;
 use crate::simplify::options::{SequenceOptions, SimplifyError, StopReason};
 
-/// No target chosen yet: the key in the heap is a lower bound.
+/// No target chosen yet: the key in the heap is a provisional cost.
 const UNDECIDED: u32 = u32::MAX;
 /// The new fan is known to be close enough to the original mesh without being measured.
 const UNMEASURED: f32 = -1.0;
@@ -161,8 +161,8 @@ impl<'a> Simplifier<'a> {
             self.begin_relaxed();
             for v in 0..self.target.len() as u32 {
                 self.target[v as usize] = UNDECIDED;
-                let bound = self.evaluator.provisional_cost(v);
-                self.heap.set(v, bound);
+                let key = self.evaluator.provisional_cost(v);
+                self.heap.set(v, key);
             }
         }
         self.heap.first()
@@ -266,13 +266,13 @@ impl<'a> Simplifier<'a> {
         error
     }
 
-    /// Computes new bounds for all positions whose star or target has changed.
+    /// Computes provisional costs for all positions whose star or target has changed.
     fn update_neighbors(&mut self, u: u32) {
         let ring = std::mem::take(&mut self.executor.ring);
         for &w in &ring {
             self.target[w as usize] = UNDECIDED;
-            let bound = self.evaluator.provisional_cost(w);
-            self.heap.set(w, bound);
+            let key = self.evaluator.provisional_cost(w);
+            self.heap.set(w, key);
         }
         self.executor.ring = ring;
         if matches!(self.evaluator.history, CostHistory::Accumulated(_)) {
@@ -286,8 +286,8 @@ impl<'a> Simplifier<'a> {
         if !self.executor.ring.contains(&u) {
             // A contraction of two parts: u was not a neighbor of v.
             self.target[u as usize] = UNDECIDED;
-            let bound = self.evaluator.provisional_cost(u);
-            self.heap.set(u, bound);
+            let key = self.evaluator.provisional_cost(u);
+            self.heap.set(u, key);
         }
     }
 }
