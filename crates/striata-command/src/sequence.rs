@@ -131,8 +131,10 @@ impl SequencePlan {
     /// If the plan is not in quadric order.
     pub fn use_batches(&mut self, terms: BatchSettings) -> Result<(), Failure> {
         let Self::Quadric { batches, .. } = self else {
-            return Err(Failure::user("a stream with other models requires collapses in quadric order, to existing vertices")
-                .with_hint("remove --order and --new-vertices, or make the stream alone with `striata encode`"));
+            return Err(Failure::user(
+                "a stream with other models requires collapses in quadric order, to existing vertices",
+            )
+            .with_hint("remove --order and --new-vertices, or make the stream alone with `striata encode`"));
         };
         *batches = Some(terms);
         Ok(())

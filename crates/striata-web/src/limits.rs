@@ -34,8 +34,10 @@ pub(crate) const MAX_FILE_BYTES: usize = 1 << 30;
 #[cfg(feature = "stream")]
 pub(crate) fn check_stream(facts: &StreamInfo) -> Result<(), Failure> {
     if facts.has_fragments {
-        return Err(Failure::unsupported("the steps of the stream are no collapses, so pages cannot show it")
-            .with_hint("encode it again without --order and --new-vertices"));
+        return Err(Failure::unsupported(
+            "the steps of the stream are no collapses, so pages cannot show it",
+        )
+        .with_hint("encode it again without --order and --new-vertices"));
     }
     check_counts(facts.vertex_count, facts.triangle_count)
 }

@@ -8,7 +8,8 @@ use striata::file::{WriteOptions, write_fragments, write_striata};
 use striata::mesh::{IndexedMesh, Steps, weld};
 use striata_io::Format;
 use striata_stream::{
-    EncodedStream, StreamInfo, StreamOptions, encode_fragments_with_progress, encode_stream_with_progress, file_model,
+    EncodedStream, StreamInfo, StreamOptions, encode_fragments_with_progress, encode_stream_with_progress,
+    file_model,
 };
 
 use super::scene;
@@ -16,7 +17,9 @@ use crate::args::EncodeArgs;
 use striata_command::clock::{Phases, peak_rss_bytes};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::output::{Bar, Output, Table, format_bytes, format_count, format_duration, format_length};
+use striata_command::output::{
+    Bar, Output, Table, format_bytes, format_count, format_duration, format_length,
+};
 use striata_command::save::{
     DEFAULT_NAME_NOTE, check_not_compressed, default_output_path, display_name, georeference_of, is_stdout,
     write_bytes,

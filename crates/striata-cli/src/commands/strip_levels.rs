@@ -9,13 +9,13 @@ use striata_strip::{LiveStripBuffer, LiveStrips, RepairReport};
 
 use crate::args::StripArgs;
 use crate::strip_lists::{StripLists, check_output, without_unused_vertices};
+use striata::mesh::Steps;
 use striata_command::args::Level;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::paths_of_levels;
 use striata_command::output::{Bar, Output, Table, format_count, format_duration};
 use striata_command::save::{LevelFiles, Primitives};
-use striata::mesh::Steps;
 use striata_command::sequence::SequencePlan;
 
 #[derive(Serialize)]

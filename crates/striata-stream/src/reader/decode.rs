@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use striata::mesh::{
-    AttributeLayer, CollapseSequence, ColorSpace, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts, Steps,
-    TriangleGroup,
+    AttributeLayer, CollapseSequence, ColorSpace, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts,
+    Steps, TriangleGroup,
 };
 use striata::{Progress, ProgressFn};
 

@@ -130,9 +130,13 @@ impl FragmentReader {
     fn listed(&self) -> &Listed {
         self.listed.get_or_init(|| {
             let faces = &self.coder.faces;
-            let mut present: Vec<Face> = (0..faces.len()).map(|place| faces.get(faces.in_place(place))).collect();
+            let mut present: Vec<Face> =
+                (0..faces.len()).map(|place| faces.get(faces.in_place(place))).collect();
             if self.group_count < 2 {
-                return Listed { triangles: present.iter().map(|face| face.corners).collect(), groups: Vec::new() };
+                return Listed {
+                    triangles: present.iter().map(|face| face.corners).collect(),
+                    groups: Vec::new(),
+                };
             }
             present.sort_by_key(|face| face.group);
             let (triangles, groups) = present.iter().map(|face| (face.corners, face.group)).unzip();

@@ -4,8 +4,8 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use striata::mesh::{
-    CollapseSequence, Face, FragmentSequence, FragmentedMesh, PositionIndex, RefinableMesh, SequenceParts, canonical_triangles,
-    replay_fragments,
+    CollapseSequence, Face, FragmentSequence, FragmentedMesh, PositionIndex, RefinableMesh, SequenceParts,
+    canonical_triangles, replay_fragments,
 };
 use striata::{Progress, ProgressFn, ignore_progress};
 
@@ -194,7 +194,8 @@ impl<'m> FragmentWriter<'m> {
             Face { corners: face.corners.map(|v| self.vertex_of[v as usize]), ..face }
         };
         let number_of = &mut self.number_of;
-        let floor = self.fragments.floor(step).iter().map(|&face| number_of.get_mut(&canonical(named(face)))?.pop());
+        let floor =
+            self.fragments.floor(step).iter().map(|&face| number_of.get_mut(&canonical(named(face)))?.pop());
         let actual = CodedFragment {
             own_count: self.fragments.levels().step_vertices(step as usize).len() as u32,
             floor: floor.collect::<Option<_>>()?,

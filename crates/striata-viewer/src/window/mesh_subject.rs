@@ -10,8 +10,8 @@ use striata_strip::{LiveStrips, RepairOptions};
 
 use super::args::ShownModel;
 use super::subject::Origin;
-use striata_command::failure::Failure;
 use striata::mesh::Steps;
+use striata_command::failure::Failure;
 
 /// One mesh and its models. Missing models are built on demand, once, on a background thread.
 #[derive(Debug)]

@@ -10,8 +10,8 @@ use super::container::{Container, Ending};
 use super::mesh_sections::{appearance_from_bytes, groups_from_bytes, layer_from_bytes};
 use super::{DecodeError, SectionInfo, SectionKind, StreamCodec, Summary, Verify};
 use crate::mesh::{
-    AttributeLayer, CollapseSequence, IndexedMesh, Levels, PositionIndex, RefinableMesh, SequenceParts, Steps,
-    TriangleGroup, layers_from_sorted, level_sources,
+    AttributeLayer, CollapseSequence, IndexedMesh, Levels, PositionIndex, RefinableMesh, SequenceParts,
+    Steps, TriangleGroup, layers_from_sorted, level_sources,
 };
 use crate::model::fans::FansParts;
 use crate::model::lod_strips::{LodStripsParts, StageHead};

@@ -8,9 +8,9 @@ use striata::strip::StripSet;
 use striata_stream::{EncodedStream, file_model};
 
 use super::build_output::BuildPlan;
+use striata::mesh::Steps;
 use striata_command::failure::{Failure, unknown_name};
 use striata_command::output::Bar;
-use striata::mesh::Steps;
 use striata_command::sequence::SimplifiedSteps;
 use striata_command::strip_chain::StripPlan;
 

@@ -4,9 +4,9 @@ use striata::mesh::{IndexedMesh, weld};
 use striata_stream::{StreamOptions, encode_stream};
 
 use super::folder::Folder;
+use striata::mesh::Steps;
 use striata_command::failure::Failure;
 use striata_command::output::{Bar, format_count};
-use striata::mesh::Steps;
 use striata_command::sequence::{BatchSettings, SequencePlan};
 use striata_viewer::viewer_page::self_contained;
 

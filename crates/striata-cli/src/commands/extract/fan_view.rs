@@ -10,8 +10,8 @@ use striata::model::{FanFront, FanInstance, FanScene, Fans, LodModel};
 use striata::simplify::StopReason;
 use striata::view::Camera;
 
-use striata_command::args::ViewArgs;
 use striata::mesh::Steps;
+use striata_command::args::ViewArgs;
 use striata_paged::ViewCut;
 
 /// Smallest pixel tolerance used with a triangle limit, so that weights stay finite.
@@ -82,7 +82,7 @@ pub(crate) fn level_of_view(
     // Errors never rise from one step to the next, so the first collapsed step has the largest.
     let coarsest = (0..fans.step_count()).find(|&step| !instance.is_refined(step as u32));
     ViewLevel {
-        mesh: instance.level(fans, &steps),
+        mesh: instance.level(fans, steps),
         split_count: instance.split_count(),
         error: coarsest.map_or(0.0, |step| steps.levels().error_at(step)),
         pixels,

@@ -13,12 +13,12 @@ use crate::args::{DrawnModel, RenderArgs};
 use crate::commands::build::errors_are_guaranteed;
 use crate::commands::extract::{FilePatterns, level_of_view};
 use crate::strip_lists::strips_of_level;
+use striata::mesh::Steps;
 use striata_command::args::{Coloring, Count, Point};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{CoarseningLimit, FullMesh, ReachedLevel, shortfall};
 use striata_command::output::{Bar, Output, format_count};
-use striata::mesh::Steps;
 use striata_command::sequence::SequencePlan;
 use striata_scene::drawn::ImageLimits;
 use striata_viewer::picture::{SceneLook, with_normals};
@@ -355,7 +355,7 @@ impl Model<'_> {
         let refinable = match (steps, model) {
             (_, DrawnModel::List) => return Ok(Self::List),
             (_, DrawnModel::Model(ModelKind::Fans)) => {
-                return Ok(Self::Fans(Fans::build_without_bounds(&steps)));
+                return Ok(Self::Fans(Fans::build_without_bounds(steps)));
             }
             (steps, DrawnModel::Model(ModelKind::Patterns)) => {
                 return Ok(Self::Patterns(Patterns::build(&steps.fragments())?));

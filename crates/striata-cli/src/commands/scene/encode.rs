@@ -119,9 +119,8 @@ fn glb(args: &EncodeArgs, input: &Input, scene: &Scene, bar: &mut Bar) -> Result
     let options = args.sequence.scene_options(scene, false)?;
     let batches = batches(args, &options);
     let lods = LodScene::build_with_progress(scene, &options, &mut |progress| bar.show(progress));
-    let options = GlbStreamOptions::default()
-        .with_stream(args.stream.options(scene.diagonal()))
-        .with_batches(batches);
+    let options =
+        GlbStreamOptions::default().with_stream(args.stream.options(scene.diagonal())).with_batches(batches);
     let bytes = lods.map_err(failed)?.to_glb_with_stream(&options);
     bytes.map_err(|error| Failure::user(format!("{}: {error}", input.name)))
 }
