@@ -4,7 +4,7 @@ use striata_testing::meshes;
 
 use striata_testing::support;
 
-use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, replay, shapes};
+use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, shapes};
 use striata::simplify::{BatchOptions, build_batches};
 use striata_stream::{
     DecodeError, Effort, Precision, StreamDecoder, StreamDefect, StreamInfo, StreamOptions, encode_stream,
@@ -21,15 +21,18 @@ fn stream_of(mesh: &IndexedMesh, options: &StreamOptions) -> Vec<u8> {
 
 /// Checks that the decoder's current level is a mesh.
 fn check(decoder: &StreamDecoder) {
-    let Some(level) = decoder.refinable_mesh() else {
-        assert!(decoder.positions().is_empty(), "a decoder without a mesh has no positions");
+    let Some(steps) = decoder.steps() else {
+        let is_expected = decoder.positions().is_empty() || decoder.has_fragments();
+        assert!(is_expected, "a decoder without a mesh has no positions");
         return;
     };
-    level.mesh.check().unwrap();
-    let full = replay(&level, level.sequence.step_count());
-    assert_eq!(full.triangle_count(), level.mesh.triangle_count());
-    let half = level.sequence.step_count() / 2;
-    assert_eq!(replay(&level, half).triangle_count(), level.sequence.triangle_count_at(half));
+    steps.mesh().check().unwrap();
+    let step_count = steps.levels().step_count();
+    for split_count in [step_count / 2, step_count] {
+        let level = steps.level(split_count);
+        assert_eq!(level.triangle_count(), steps.levels().triangle_count_at(split_count));
+    }
+    assert_eq!(steps.level(step_count).triangle_count(), steps.mesh().triangle_count());
 }
 
 /// Reads the inputs that fuzzing has collected, including those that revealed defects.

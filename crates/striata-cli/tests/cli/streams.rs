@@ -85,7 +85,7 @@ fn streams_of_any_removal_are_read_by_every_verb() {
         assert!(number(&report, "connectivity_bits_per_vertex") < 44.0, "{flags}: {report}");
         let whole = bench.json("decode any.stri -o whole.ply");
         assert_eq!(whole["triangle_count"], 2240, "{flags}");
-        assert_eq!(distance(&bench, "sphere.obj", "whole.ply"), 0.0, "{flags}");
+        assert!(distance(&bench, "sphere.obj", "whole.ply") < 1e-12, "{flags}");
         let level = bench.json("decode any.stri -o level.ply --triangles 400");
         assert!((380.0..=400.0).contains(&number(&level, "triangle_count")), "{flags}: {level}");
         let measured = distance(&bench, "sphere.obj", "level.ply");

@@ -49,7 +49,7 @@ pub struct SequenceArgs {
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, help_heading = QUADRIC)]
     pub pair_distance: Option<Length>,
     /// Collapse each edge or triangle (edge, triangle) to a new vertex at the best position, with guaranteed
-    /// errors; stores about twice as many vertices, and only patterns support it
+    /// errors; stores about twice as many vertices, for patterns, fans and streams
     #[arg(long, value_name = "KIND", hide_possible_values = true, help_heading = QUADRIC)]
     pub new_vertices: Option<NewVerticesArg>,
     /// Weights of attributes.
@@ -123,7 +123,7 @@ impl WeightArgs {
 #[command(next_help_heading = HAUSDORFF)]
 pub struct RemovalArgs {
     /// How the hole of a removed vertex is filled: free (best of all triangulations) or collapse (as a
-    /// half-edge collapse would; required by every model but patterns) [default: free if the models allow it]
+    /// half-edge collapse would, for the models that need it) [default: free if the models allow it]
     #[arg(long, value_name = "METHOD", hide_possible_values = true)]
     pub retriangulation: Option<RetriangulationArg>,
     /// Which triangulation is best: distance (closest to the original), maximum (smallest largest distance),
