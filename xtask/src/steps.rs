@@ -19,12 +19,12 @@ pub(crate) fn say(text: &str) {
 
 /// The steps run so far, with their times.
 #[derive(Debug, Default)]
-pub(crate) struct Steps {
+pub(crate) struct CiSteps {
     done: Vec<(String, Duration, Option<f64>)>,
     skipped: Vec<String>,
 }
 
-impl Steps {
+impl CiSteps {
     /// Runs a step under a heading.
     ///
     /// # Errors

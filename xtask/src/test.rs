@@ -8,7 +8,7 @@ use anyhow::Result;
 
 use crate::command::FULL;
 use crate::machine::{self, WASM_TARGET};
-use crate::steps::{self, Steps, cargo, say};
+use crate::steps::{self, CiSteps, cargo, say};
 use crate::{bare, browser, golden, house, licenses, oldest_rust, packages, py, web};
 
 /// Crates and feature sets that must compile separately.
@@ -51,7 +51,7 @@ const FEATURES_ALONE: &[(&str, &str)] = &[
 ///
 /// # Errors
 /// The failure of that step.
-fn run_all(steps: &mut Steps) -> Result<()> {
+fn run_all(steps: &mut CiSteps) -> Result<()> {
     // This comes first, since the next step may install libraries that a new machine lacks.
     steps.step("bare machines", bare::run)?;
     steps.step("machine", machine::prepare)?;
@@ -105,7 +105,7 @@ fn run_all(steps: &mut Steps) -> Result<()> {
 /// # Errors
 /// The failure of the first step that fails.
 pub(crate) fn run() -> Result<()> {
-    let mut steps = Steps::default();
+    let mut steps = CiSteps::default();
     run_all(&mut steps)?;
     say(&steps.summary());
     Ok(())

@@ -17,8 +17,7 @@ fn lossless(fragmented: &FragmentedMesh) -> EncodedStream {
 }
 
 /// Panics unless the decoder shows what the replay of the source shows, vertex by vertex.
-fn check_level(name: &str, decoder: &StreamDecoder, source: (&FragmentedMesh, &EncodedStream)) {
-    let (fragmented, encoded) = source;
+fn check_level(name: &str, decoder: &StreamDecoder, fragmented: &FragmentedMesh, encoded: &EncodedStream) {
     let split_count = decoder.split_count();
     let expected = replay_fragments(fragmented, split_count);
     let in_source = |triangle: &[u32; 3]| triangle.map(|v| encoded.source_vertex[v as usize]);
@@ -45,7 +44,7 @@ fn check(name: &str, fragmented: &FragmentedMesh) {
         let end = at + chunk.bytes as usize;
         decoder.push(&encoded.bytes[at..end]).expect("a chunk");
         assert_eq!(decoder.split_count(), chunk.split_count, "{name}");
-        check_level(name, &decoder, (fragmented, &encoded));
+        check_level(name, &decoder, fragmented, &encoded);
         at = end;
     }
     assert!(decoder.is_complete() && decoder.has_fragments() && decoder.refinable_mesh().is_none());
@@ -120,7 +119,7 @@ fn a_stream_that_is_cut_off_is_a_level() {
         let mut decoder = StreamDecoder::new();
         decoder.push(&encoded.bytes[..length]).expect("a part of a stream");
         decoder.finish().expect("the base has arrived");
-        check_level("cut off", &decoder, (&fragmented, &encoded));
+        check_level("cut off", &decoder, &fragmented, &encoded);
     }
 }
 

@@ -2,9 +2,9 @@
 
 /// A decoded PNG file; pixels have four bytes even if the file has no alpha channel.
 pub(crate) struct DecodedPng {
-    pub(crate) width: usize,
-    pub(crate) height: usize,
-    pub(crate) pixels: Vec<[u8; 4]>,
+    pub width: usize,
+    pub height: usize,
+    pub pixels: Vec<[u8; 4]>,
 }
 
 impl DecodedPng {

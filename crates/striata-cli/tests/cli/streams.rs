@@ -82,7 +82,7 @@ fn streams_of_any_removal_are_read_by_every_verb() {
     for flags in ["--order hausdorff", "--order hausdorff-strict", "--new-vertices edge"] {
         let report = bench.json(&format!("encode sphere.obj -o any.stri --lossless {flags}"));
         assert!(report["batch_count"].is_null(), "{report}");
-        assert!(number(&report, "connectivity_bits_per_vertex") < 44.0, "{flags}: {report}");
+        assert!((4.0..44.0).contains(&number(&report, "connectivity_bits_per_vertex")), "{flags}: {report}");
         let whole = bench.json("decode any.stri -o whole.ply");
         assert_eq!(whole["triangle_count"], 2240, "{flags}");
         assert!(distance(&bench, "sphere.obj", "whole.ply") < 1e-12, "{flags}");

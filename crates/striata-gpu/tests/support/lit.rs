@@ -30,23 +30,23 @@ pub(crate) static SHARED: LazyLock<(Gpu, Arc<LitPainter>)> = LazyLock::new(|| {
 });
 
 pub(crate) struct LitTest {
-    pub(crate) gpu: Gpu,
-    pub(crate) painter: Arc<LitPainter>,
-    pub(crate) canvas: Canvas,
-    pub(crate) environment: Environment,
-    pub(crate) lights: Vec<LitLight>,
-    pub(crate) materials: Vec<LitMaterial>,
-    pub(crate) images: Vec<LitImage>,
-    pub(crate) camera: LitCamera,
+    pub gpu: Gpu,
+    pub painter: Arc<LitPainter>,
+    pub canvas: Canvas,
+    pub environment: Environment,
+    pub lights: Vec<LitLight>,
+    pub materials: Vec<LitMaterial>,
+    pub images: Vec<LitImage>,
+    pub camera: LitCamera,
 }
 
 /// A mesh in a pose, as a test wants it drawn.
 pub(crate) struct Shown<'a> {
-    pub(crate) mesh: &'a IndexedMesh,
-    pub(crate) material: Option<usize>,
-    pub(crate) world_from_mesh: DMat4,
-    pub(crate) joints: &'a [DMat4],
-    pub(crate) morph_weights: &'a [f32],
+    pub mesh: &'a IndexedMesh,
+    pub material: Option<usize>,
+    pub world_from_mesh: DMat4,
+    pub joints: &'a [DMat4],
+    pub morph_weights: &'a [f32],
 }
 
 impl<'a> Shown<'a> {

@@ -53,9 +53,9 @@ pub(crate) const HEAD: [&str; 8] = [
 #[derive(Default)]
 pub(crate) struct Choice {
     /// Whether to omit efforts other than 1 and weights other than 0 and 1.
-    pub(crate) is_quick: bool,
+    pub is_quick: bool,
     /// Folder with the strips of other tools.
-    pub(crate) peers: Option<PathBuf>,
+    pub peers: Option<PathBuf>,
 }
 
 /// Adds the rows of a mesh.

@@ -14,11 +14,11 @@ pub(crate) type Soup = BTreeMap<[(Vec<u32>, Vec<u8>); 3], i32>;
 /// A level: its triangles, and the number of refined steps.
 pub(crate) struct ReferenceCut {
     /// The triangles.
-    pub(crate) soup: Soup,
+    pub soup: Soup,
     /// Number of steps that are refined.
-    pub(crate) refined_count: usize,
+    pub refined_count: usize,
     /// Largest error of a step that is not refined.
-    pub(crate) error: f32,
+    pub error: f32,
 }
 
 /// Adds a triangle to a soup.

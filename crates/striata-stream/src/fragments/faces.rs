@@ -6,7 +6,7 @@ use striata::mesh::Face;
 
 /// The triangles of a level. Those that were replaced keep their numbers, which are never used again.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Faces {
+pub(crate) struct LevelFaces {
     all: Vec<Face>,
     /// Numbers of the triangles of the level, in no order.
     present: Vec<u32>,
@@ -19,7 +19,7 @@ pub(crate) struct Faces {
 /// Place of a triangle that is not present.
 const ABSENT: u32 = u32::MAX;
 
-impl Faces {
+impl LevelFaces {
     /// Number of triangles of the level.
     pub(crate) fn len(&self) -> u32 {
         self.present.len() as u32

@@ -9,7 +9,7 @@
 //!
 //! | file | what it does |
 //! | --- | --- |
-//! | `faces.rs` | [`Faces`](faces::Faces): the triangles of a level, and which one lies across a side |
+//! | `faces.rs` | [`LevelFaces`](faces::LevelFaces): the triangles of a level, and which one lies across a side |
 //! | `record.rs` | [`FragmentCoder`](record::FragmentCoder): codes fragments, for writer and reader |
 //! | `values.rs` | [`ValueCoder`](values::ValueCoder): codes positions and attributes of the restored vertices |
 

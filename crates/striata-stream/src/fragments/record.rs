@@ -4,8 +4,8 @@ use std::collections::HashMap;
 
 use striata::mesh::Face;
 
-use super::faces::{Faces, sides_of};
-use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, code_uniform};
+use super::faces::{LevelFaces, sides_of};
+use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Part, Rate, code_uniform};
 
 /// Most vertices that a step restores.
 const MOST_OWN: u32 = 1 << 16;
@@ -14,11 +14,11 @@ const MOST_OWN: u32 = 1 << 16;
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct CodedFragment {
     /// Number of vertices that the step restores; they follow those of the level.
-    pub(crate) own_count: u32,
+    pub own_count: u32,
     /// Numbers of the triangles that it replaces.
-    pub(crate) floor: Vec<u32>,
+    pub floor: Vec<u32>,
     /// The triangles that it creates.
-    pub(crate) ceiling: Vec<Face>,
+    pub ceiling: Vec<Face>,
 }
 
 /// Why bits are no fragment.
@@ -28,8 +28,8 @@ pub(crate) struct NoFragment;
 /// Models of fragments, and the level that they refine.
 #[derive(Clone, Debug)]
 pub(crate) struct FragmentCoder {
-    pub(crate) faces: Faces,
-    marks: Marks,
+    pub faces: LevelFaces,
+    marks: FloorMarks,
     /// How many triangles floors and ceilings may still have: a bound for the work that few bytes can ask for.
     triangles_left: u64,
     vertex_count: u32,
@@ -61,14 +61,14 @@ struct BorderSide {
 impl FragmentCoder {
     /// Starts at a base mesh with this number of vertices and, if there are several, groups.
     pub(crate) fn new(base: impl IntoIterator<Item = Face>, vertex_count: u32, group_count: u32) -> Self {
-        let mut faces = Faces::default();
+        let mut faces = LevelFaces::default();
         for face in base {
             faces.push(face);
         }
         let bit = AdaptiveBit::new(Rate::Steady);
         Self {
             triangles_left: 0,
-            marks: Marks::default(),
+            marks: FloorMarks::default(),
             faces,
             vertex_count,
             group_count: group_count.max(1),
@@ -100,6 +100,7 @@ impl FragmentCoder {
         coder: &mut C,
         actual: &CodedFragment,
     ) -> Result<CodedFragment, NoFragment> {
+        coder.part(Part::Connectivity);
         let own_count = self.own_count.unsigned(coder, 0, actual.own_count.wrapping_sub(1)).wrapping_add(1);
         if own_count == 0 || own_count > MOST_OWN || own_count > u32::MAX - self.vertex_count {
             return Err(NoFragment);
@@ -198,7 +199,7 @@ impl FragmentCoder {
         coder: &mut C,
         border: &[BorderSide],
         owns: &[u32],
-        actual: Star,
+        actual: CeilingStar,
     ) -> Vec<Face> {
         let mut star = Vec::with_capacity(border.len());
         let (mut was_bare, mut last) = (false, owns[0]);
@@ -293,13 +294,13 @@ impl KnownVertices {
 
 /// Marks of triangles for the floor of one fragment after another.
 #[derive(Clone, Debug, Default)]
-struct Marks {
+struct FloorMarks {
     fragment: u32,
     /// For each triangle, the last fragment that wants it in its floor, and the last one that it was found for.
     of_faces: Vec<[u32; 2]>,
 }
 
-impl Marks {
+impl FloorMarks {
     fn begin(&mut self, wanted: &[u32]) {
         self.fragment += 1;
         wanted.iter().for_each(|&face| self.slot(face)[0] = self.fragment);
@@ -353,14 +354,14 @@ fn chained(sides: Vec<BorderSide>) -> Vec<BorderSide> {
 
 /// A ceiling whose triangles follow from the border.
 #[derive(Clone, Debug, Default)]
-struct Star {
+struct CeilingStar {
     /// For each side of the border, its triangle with a restored vertex as the last corner, if there is one.
     sides: Vec<Option<Face>>,
     has_bridges: bool,
 }
 
 /// Returns a ceiling as a star, if it is one.
-fn star_of(border: &[BorderSide], owns: &[u32], ceiling: &[Face]) -> Option<Star> {
+fn star_of(border: &[BorderSide], owns: &[u32], ceiling: &[Face]) -> Option<CeilingStar> {
     let mut with_side: HashMap<[u32; 2], Vec<usize>> = HashMap::new();
     for (at, face) in ceiling.iter().enumerate() {
         sides_of(face.corners).into_iter().for_each(|side| with_side.entry(side).or_default().push(at));
@@ -392,7 +393,7 @@ fn star_of(border: &[BorderSide], owns: &[u32], ceiling: &[Face]) -> Option<Star
             return None;
         }
     }
-    Some(Star { sides, has_bridges })
+    Some(CeilingStar { sides, has_bridges })
 }
 
 /// Returns the triangles that join the restored vertices of a star: one wherever the border passes from one vertex to

@@ -1,20 +1,27 @@
 //! Positions and attributes of the vertices that fragments restore, as differences from the mean of their neighbors.
+//!
+//! How far a ring spreads and which way it faces say how large differences are.
 
 use striata::mesh::Face;
 
 use super::record::{CodedFragment, NoFragment};
-use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Part, Rate};
+use crate::entropy::{AdaptiveBit, Coder, MixedNumber, Part, Rate};
 use crate::format::grid::{CorrectionModel, PositionGrid};
 use crate::layers::form::LayerForm;
 use crate::layers::model::part_of;
 
+/// Number of classes of sizes.
+const CLASSES: usize = 40;
+/// Largest distance from the mean of a ring that counts for its normal: products of two fit in 64 bits.
+const REACH: i64 = 1 << 24;
+
 /// The values of all vertices of a level: grid points, exact positions, and the integers of each layer.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct VertexValues {
-    pub(crate) points: Vec<[i32; 3]>,
-    pub(crate) positions: Vec<[f32; 3]>,
+    pub points: Vec<[i32; 3]>,
+    pub positions: Vec<[f32; 3]>,
     /// By layer, then by vertex.
-    pub(crate) integers: Vec<Vec<i32>>,
+    pub integers: Vec<Vec<i32>>,
 }
 
 impl VertexValues {
@@ -33,18 +40,19 @@ impl VertexValues {
 /// Models of values, and the values that were coded.
 #[derive(Clone, Debug)]
 pub(crate) struct ValueCoder {
-    pub(crate) values: VertexValues,
+    pub values: VertexValues,
     grid: PositionGrid,
     /// Integers of a vertex in each layer.
     integer_counts: Vec<usize>,
     parts: Vec<Part>,
     /// Whether a vertex has the position of the vertex before, as wedges have.
     is_wedge: AdaptiveBit,
-    /// By axis.
-    offsets: AdaptiveNumber,
+    offsets: MixedNumber<4>,
+    /// Mean size class of the last offsets, in 1/16.
+    recent: usize,
     corrections: Option<CorrectionModel>,
-    /// By layer; a context for each integer of a vertex.
-    differences: Vec<AdaptiveNumber>,
+    /// By layer.
+    differences: Vec<MixedNumber<2>>,
 }
 
 impl ValueCoder {
@@ -52,16 +60,17 @@ impl ValueCoder {
     pub(crate) fn new(values: VertexValues, grid: PositionGrid, forms: &[LayerForm], is_exact: bool) -> Self {
         let integer_counts: Vec<usize> = forms.iter().map(LayerForm::integer_count).collect();
         let differences =
-            integer_counts.iter().map(|&count| AdaptiveNumber::new(count, Rate::Steady)).collect();
+            integer_counts.iter().map(|&count| MixedNumber::new([count * CLASSES, CLASSES * CLASSES], 1));
         Self {
             values,
             grid,
             parts: forms.iter().map(part_of).collect(),
+            differences: differences.collect(),
             integer_counts,
             is_wedge: AdaptiveBit::new(Rate::Steady),
-            offsets: AdaptiveNumber::new(3, Rate::Steady),
+            offsets: MixedNumber::new([3 * CLASSES, 4 * CLASSES, CLASSES * CLASSES, 12 * CLASSES], 4),
+            recent: 0,
             corrections: is_exact.then(CorrectionModel::new),
-            differences,
         }
     }
 
@@ -78,7 +87,7 @@ impl ValueCoder {
     ) -> Result<(), NoFragment> {
         let first = self.values.points.len() as u32;
         for vertex in first..first + fragment.own_count {
-            let around = Neighborhood::new(&fragment.ceiling, vertex, first);
+            let around = CeilingNeighbors::new(&fragment.ceiling, vertex, first);
             coder.part(Part::Positions);
             let at = vertex as usize;
             let known = actual.map(|values| (values.points[at], values.positions[at]));
@@ -87,7 +96,7 @@ impl ValueCoder {
             let is_shared = shared.is_some() && self.is_wedge.code(coder, known == shared);
             let (point, position) = match shared.filter(|_| is_shared) {
                 Some(shared) => shared,
-                None => self.code_position(coder, &around.neighbors, known)?,
+                None => self.code_position(coder, &around, known)?,
             };
             self.values.points.push(point);
             self.values.positions.push(position);
@@ -112,16 +121,33 @@ impl ValueCoder {
     fn code_position<C: Coder>(
         &mut self,
         coder: &mut C,
-        around: &[u32],
+        around: &CeilingNeighbors,
         known: Option<([i32; 3], [f32; 3])>,
     ) -> Result<([i32; 3], [f32; 3]), NoFragment> {
-        let guess = [0, 1, 2].map(|axis| mean(around.iter().map(|&v| self.values.points[v as usize][axis])));
+        let points = &self.values.points;
+        let ring = &around.neighbors;
+        let guess = [0, 1, 2].map(|axis| mean(ring.iter().map(|&v| points[v as usize][axis])));
+        let spreads =
+            [0, 1, 2].map(|axis| spread(guess[axis], ring.iter().map(|&v| points[v as usize][axis])));
+        let normal = around.normal_classes(points, guess);
+        let size = class_of(spreads.iter().sum());
         let (actual, exact) = known.unwrap_or_default();
         let mut point = [0; 3];
+        let (mut before, mut sum) = (0, 0);
         for axis in 0..3 {
-            let offset = self.offsets.signed(coder, axis, actual[axis].wrapping_sub(guess[axis]));
+            let contexts = [
+                axis * CLASSES + class_of(spreads[axis]),
+                normal[axis] * CLASSES + size,
+                before * CLASSES + size,
+                (axis * 4 + normal[axis]) * CLASSES + self.recent / 16,
+            ];
+            let wanted = actual[axis].wrapping_sub(guess[axis]);
+            let offset = self.offsets.signed(coder, (contexts, normal[axis]), wanted);
             point[axis] = guess[axis].wrapping_add(offset);
+            before = before.max(class_of(offset.unsigned_abs().into()));
+            sum += u64::from(offset.unsigned_abs());
         }
+        self.recent = (self.recent * 15).div_ceil(16) + class_of(sum);
         if !self.grid.contains(point) {
             return Err(NoFragment);
         }
@@ -136,28 +162,36 @@ impl ValueCoder {
         &mut self,
         coder: &mut C,
         layer: usize,
-        around: &Neighborhood,
+        around: &CeilingNeighbors,
         actual: Option<&[i32]>,
     ) {
         let count = self.integer_counts[layer];
+        let mut before = 0;
         for component in 0..count {
             let values = &self.values.integers[layer];
-            let guess = mean(around.neighbors.iter().map(|&v| values[v as usize * count + component]));
+            let of_ring = around.neighbors.iter().map(|&v| values[v as usize * count + component]);
+            let guess = mean(of_ring.clone());
+            let class = class_of(spread(guess, of_ring));
             let known = actual.map_or(0, |values| values[around.vertex as usize * count + component]);
-            let difference = self.differences[layer].signed(coder, component, known.wrapping_sub(guess));
+            let contexts = [component * CLASSES + class, before * CLASSES + class];
+            let wanted = known.wrapping_sub(guess);
+            let difference = self.differences[layer].signed(coder, (contexts, 0), wanted);
+            before = class_of(difference.unsigned_abs().into());
             self.values.integers[layer].push(guess.wrapping_add(difference));
         }
     }
 }
 
 /// A restored vertex and the older vertices next to it.
-struct Neighborhood {
+struct CeilingNeighbors {
     vertex: u32,
     /// Ascending; those of all restored vertices if it has none.
     neighbors: Vec<u32>,
+    /// The sides across from the vertex whose ends are older.
+    sides: Vec<[u32; 2]>,
 }
 
-impl Neighborhood {
+impl CeilingNeighbors {
     /// Finds the neighbors among the vertices before `first`.
     fn new(ceiling: &[Face], vertex: u32, first: u32) -> Self {
         let of = |wanted: &dyn Fn(&Face) -> bool| {
@@ -168,7 +202,47 @@ impl Neighborhood {
             found
         };
         let own = of(&|face| face.corners.contains(&vertex));
-        Self { vertex, neighbors: if own.is_empty() { of(&|_| true) } else { own } }
+        let sides = ceiling.iter().flat_map(|face| {
+            let [a, b, c] = face.corners;
+            [([b, c], a), ([c, a], b), ([a, b], c)]
+        });
+        let across = sides.filter(|&(side, apex)| apex == vertex && side[0].max(side[1]) < first);
+        let sides = across.map(|(side, _)| side).collect();
+        Self { vertex, neighbors: if own.is_empty() { of(&|_| true) } else { own }, sides }
+    }
+
+    /// How much of the normal of the ring lies along each axis: 0 (little) to 3 (almost all).
+    fn normal_classes(&self, points: &[[i32; 3]], center: [i32; 3]) -> [usize; 3] {
+        let off = |v: u32| {
+            [0, 1, 2].map(|axis| {
+                i64::from(points[v as usize][axis].wrapping_sub(center[axis])).clamp(-REACH, REACH)
+            })
+        };
+        let mut normal = [0i64; 3];
+        for &[a, b] in &self.sides {
+            let (a, b) = (off(a), off(b));
+            for (axis, sum) in normal.iter_mut().enumerate() {
+                let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+                *sum = sum.saturating_add(a[next] * b[last] - a[last] * b[next]);
+            }
+        }
+        let length: u64 = normal.iter().map(|part| part.unsigned_abs() >> 2).sum();
+        normal.map(|part| (((part.unsigned_abs() >> 2) * 4).checked_div(length).unwrap_or(0) as usize).min(3))
+    }
+}
+
+/// Mean distance of integers from their mean.
+fn spread(mean: i32, values: impl Iterator<Item = i32>) -> u64 {
+    let (sum, count) =
+        values.fold((0, 0), |(sum, count), value| (sum + u64::from(value.abs_diff(mean)), count + 1));
+    sum.checked_div(count).unwrap_or(0)
+}
+
+/// Class of a size, two for each doubling, below [`CLASSES`].
+fn class_of(size: u64) -> usize {
+    match size {
+        0 | 1 => size as usize,
+        _ => ((2 * size.ilog2() + (size >> (size.ilog2() - 1) & 1) as u32) as usize).min(CLASSES - 1),
     }
 }
 

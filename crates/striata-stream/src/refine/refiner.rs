@@ -48,7 +48,7 @@ pub(crate) struct MeshRefiner {
     /// Limits that the stream must respect.
     pub limits: Limits,
     /// The splits that are currently being coded.
-    pub(super) stretch: Stretch,
+    pub stretch: Stretch,
 }
 
 impl MeshRefiner {

@@ -176,7 +176,7 @@ pub fn encode_stream_with_progress(
         position_count: refinable.sequence.positions().position_count() as u32,
         vertex_count: refinable.mesh.vertex_count() as u32,
     };
-    let Encoded { mut header, chunks, source_vertex } =
+    let SplitChunks { mut header, chunks, source_vertex } =
         encode_splits(refinable, batches, &StreamPlan { options, layout, totals }, progress)?;
     let data = triangle_data::encode(&in_stream_order(&refinable.mesh, &source_vertex));
     let (entry, data) = data.unzip();
@@ -191,9 +191,9 @@ pub fn encode_stream_with_progress(
 /// How a stream stores the values of vertices.
 #[derive(Clone, Debug)]
 pub(crate) struct StreamLayout {
-    pub(crate) grid: PositionGrid,
-    pub(crate) forms: Vec<LayerForm>,
-    pub(crate) is_exact: bool,
+    pub grid: PositionGrid,
+    pub forms: Vec<LayerForm>,
+    pub is_exact: bool,
 }
 
 impl StreamLayout {
@@ -218,23 +218,23 @@ impl StreamLayout {
 /// Numbers of positions and vertices of the full mesh.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Totals {
-    pub(crate) position_count: u32,
-    pub(crate) vertex_count: u32,
+    pub position_count: u32,
+    pub vertex_count: u32,
 }
 
 /// How the vertex splits of a stream are encoded.
 pub(crate) struct StreamPlan<'o> {
-    pub(crate) options: &'o StreamOptions,
-    pub(crate) layout: StreamLayout,
-    pub(crate) totals: Totals,
+    pub options: &'o StreamOptions,
+    pub layout: StreamLayout,
+    pub totals: Totals,
 }
 
 /// Chunks of vertex splits, and a header for them.
-pub(crate) struct Encoded {
-    pub(crate) header: StreamHeader,
-    pub(crate) chunks: Chunks,
+pub(crate) struct SplitChunks {
+    pub header: StreamHeader,
+    pub chunks: Chunks,
     /// For each vertex that a decoder produces, the index of the vertex in the source mesh.
-    pub(crate) source_vertex: Vec<u32>,
+    pub source_vertex: Vec<u32>,
 }
 
 /// Encodes a base mesh and the vertex splits that refine it.
@@ -246,7 +246,7 @@ pub(crate) fn encode_splits(
     batches: &[u32],
     plan: &StreamPlan<'_>,
     progress: &mut ProgressFn<'_>,
-) -> Result<Encoded, StreamError> {
+) -> Result<SplitChunks, StreamError> {
     check_batches(batches, refinable.sequence.step_count())?;
     let StreamPlan { options, layout: StreamLayout { grid, forms, is_exact }, totals } = plan;
     let points = points_of(refinable, grid, forms);
@@ -274,7 +274,7 @@ pub(crate) fn encode_splits(
     let chunks = encode_chunks(refinable, (&descent, batches), (&points, &parameters), progress)?;
     let source_vertex = source_vertices(refinable, &chunks);
     let header = header_of(refinable, batches, &chunks, (options, &parameters));
-    Ok(Encoded { header, chunks, source_vertex })
+    Ok(SplitChunks { header, chunks, source_vertex })
 }
 
 /// Triangles and their layers, with vertices in the order of the stream; without other layers.

@@ -17,7 +17,7 @@ use crate::fragments::values::{ValueCoder, VertexValues};
 use crate::writer::chunks::chunk_end;
 use crate::writer::defect::{BatchDefect, StreamError};
 use crate::writer::encode::{
-    Encoded, EncodedStream, StreamLayout, StreamOptions, StreamPlan, StreamSizes, Totals, encode_splits,
+    EncodedStream, SplitChunks, StreamLayout, StreamOptions, StreamPlan, StreamSizes, Totals, encode_splits,
 };
 
 /// Encodes a mesh with the fragments of any simplifier as a progressive stream.
@@ -70,7 +70,7 @@ pub fn encode_fragments_with_progress(
         vertex_count: mesh.vertex_count() as u32,
     };
     let plan = StreamPlan { options, layout, totals };
-    let Encoded { mut header, chunks, source_vertex: mut source } =
+    let SplitChunks { mut header, chunks, source_vertex: mut source } =
         encode_splits(&base_of(fragmented), &[0], &plan, progress)?;
     let mut decoder = StreamDecoder::new();
     let mut base = header.to_bytes()?;

@@ -19,7 +19,7 @@ pub(crate) struct StripsFrom {
     name: String,
     triangles: Vec<Corners>,
     /// Whether the strips stay as they are, and are not the start of a search.
-    pub(super) are_final: bool,
+    pub are_final: bool,
 }
 
 impl StripsFrom {

@@ -50,7 +50,7 @@ pub(super) struct Parts {
 
 /// Steps of a file that do more than remove triangles.
 #[derive(Serialize)]
-pub(super) struct Steps {
+pub(super) struct StepSummary {
     crossing_count: usize,
     empty_count: usize,
     part_count: usize,
@@ -163,7 +163,7 @@ impl Parts {
     }
 }
 
-impl Steps {
+impl StepSummary {
     pub(super) fn of(refinable: &RefinableMesh) -> Self {
         let found = StepStatistics::of(refinable);
         Self {

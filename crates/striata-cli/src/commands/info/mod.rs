@@ -13,7 +13,7 @@ use striata::model::{LodModel, ModelKind, PartBytes, StripModel};
 use striata_io::Scene;
 use striata_stream::{StreamDefect, StreamInfo};
 
-use self::limits::{Parts, Seams, Steps, notes};
+use self::limits::{Parts, Seams, StepSummary, notes};
 use crate::args::InfoArgs;
 use crate::commands::build::{ModelCost, errors_are_guaranteed, model_costs, parts_in_file};
 use crate::commands::paged;
@@ -80,7 +80,7 @@ struct Report {
     error_is_guaranteed: Option<bool>,
     /// Special steps, for files with collapses.
     #[serde(skip_serializing_if = "Option::is_none")]
-    steps: Option<Steps>,
+    steps: Option<StepSummary>,
     /// Sentences about what limits simplification.
     notes: Vec<String>,
     /// Facts about the stream, for files with a stream.
@@ -140,7 +140,7 @@ fn of_container(input: &Input, output: &Output) -> Result<(Report, IndexedMesh),
     report.error_is_guaranteed = Some(is_guaranteed);
     if file.has_collapses() {
         let refinable = file.refinable_mesh().map_err(|error| input.damaged(&error))?;
-        report.steps = Some(Steps::of(&refinable));
+        report.steps = Some(StepSummary::of(&refinable));
     }
     if let Some(model) = file.lod_strips() {
         let model = model.map_err(|error| input.damaged(&error))?;
@@ -338,7 +338,7 @@ impl Report {
             let triangles = format_noun_count(triangles, "triangle", "triangles");
             row("base mesh", format!("{triangles}, {kind} {}", format_length(error.into())));
         }
-        for (name, value) in self.steps.iter().flat_map(Steps::rows) {
+        for (name, value) in self.steps.iter().flat_map(StepSummary::rows) {
             row(name, value);
         }
         for (model, facts) in &self.models {

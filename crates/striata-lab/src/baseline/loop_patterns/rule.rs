@@ -31,19 +31,19 @@ const MAX_RING: usize = 255;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::baseline) struct Shape {
     /// Vertices of the ring; the first two are the anchors.
-    pub(in crate::baseline) ring: Vec<u32>,
+    pub ring: Vec<u32>,
     /// 1 for an open ring or else 0, then the apexes: each triangle before its left part, and that before
     /// its right part.
-    pub(in crate::baseline) code: Vec<u8>,
+    pub code: Vec<u8>,
 }
 
 /// A rule in a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::baseline) struct Rule<'a> {
     /// Whether the ring is open.
-    pub(in crate::baseline) is_open: bool,
+    pub is_open: bool,
     /// Apexes of the floor's triangles, in the order of the code.
-    pub(in crate::baseline) apexes: &'a [u8],
+    pub apexes: &'a [u8],
 }
 
 impl<'a> Rule<'a> {

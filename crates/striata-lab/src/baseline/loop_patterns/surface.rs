@@ -23,7 +23,7 @@ pub(in crate::baseline) struct Surface {
 #[derive(Clone, Debug, Default)]
 pub(in crate::baseline) struct Region {
     /// Vertices of the ring, beginning at the first anchor.
-    pub(in crate::baseline) ring: Vec<u32>,
+    pub ring: Vec<u32>,
     /// For each vertex of the ring, the triangle across the side that begins there.
     outer: Vec<u32>,
     slots: Vec<u32>,

@@ -21,11 +21,11 @@ pub(in crate::window) enum Changes {
 /// Indices to draw.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::window) struct DrawIndices<'a> {
-    pub(in crate::window) indices: &'a [u32],
+    pub indices: &'a [u32],
     /// Index range of each group.
-    pub(in crate::window) groups: &'a [Range<u32>],
+    pub groups: &'a [Range<u32>],
     /// Whether these are strips with restart indices, rather than a triangle list.
-    pub(in crate::window) is_strips: bool,
+    pub is_strips: bool,
 }
 
 /// Writes the triangles of patterns, group by group.

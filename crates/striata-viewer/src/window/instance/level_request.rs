@@ -8,27 +8,27 @@ use crate::window::state::Goal;
 /// A request for a level.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::window) struct LevelRequest {
-    pub(in crate::window) goal: Goal,
+    pub goal: Goal,
     /// Camera for view-dependent levels; none if there is no picture.
-    pub(in crate::window) camera: Option<Camera>,
+    pub camera: Option<Camera>,
     /// Whether changes are animated by geomorphs.
-    pub(in crate::window) morphs: bool,
+    pub morphs: bool,
 }
 
 /// Properties of the level that was reached.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::window) struct AchievedLevel {
     /// Number of refined steps.
-    pub(in crate::window) split_count: usize,
-    pub(in crate::window) triangle_count: usize,
+    pub split_count: usize,
+    pub triangle_count: usize,
     /// Largest error, mesh units.
-    pub(in crate::window) error: f32,
+    pub error: f32,
     /// Screen error in pixels, for view-dependent levels.
-    pub(in crate::window) error_px: Option<f32>,
+    pub error_px: Option<f32>,
     /// Number of steps in motion.
-    pub(in crate::window) moving_count: usize,
+    pub moving_count: usize,
     /// Time taken to reach the level, seconds.
-    pub(in crate::window) secs: f64,
+    pub secs: f64,
 }
 
 /// Split count of the uniform level for a request.

@@ -6,10 +6,10 @@ use striata_scene::{Pose, Poser};
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::window) struct Playback {
     /// Index of the animation; none for the pose without animation.
-    pub(in crate::window) animation: Option<usize>,
+    pub animation: Option<usize>,
     /// Seconds from its beginning.
-    pub(in crate::window) time: f32,
-    pub(in crate::window) is_playing: bool,
+    pub time: f32,
+    pub is_playing: bool,
 }
 
 impl Playback {

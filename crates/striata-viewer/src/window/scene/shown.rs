@@ -19,13 +19,13 @@ const MIN_PIXELS: f32 = 0.05;
 /// A request for a level and a pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::window) struct SceneRequest {
-    pub(in crate::window) goal: Goal,
+    pub goal: Goal,
     /// Camera for view-dependent levels; none if there is no picture.
-    pub(in crate::window) camera: Option<Camera>,
+    pub camera: Option<Camera>,
     /// Animation and time in seconds.
-    pub(in crate::window) pose: (Option<usize>, f32),
+    pub pose: (Option<usize>, f32),
     /// Increases when nodes are hidden or shown.
-    pub(in crate::window) hiding: u64,
+    pub hiding: u64,
 }
 
 /// A scene as the last request shows it.
@@ -38,7 +38,7 @@ pub(in crate::window) struct ShownScene {
     /// Rows of the tree that the user has hidden.
     hidden_rows: Vec<bool>,
     /// Rows of the tree whose descendants are not listed.
-    pub(super) folded_rows: Vec<bool>,
+    pub folded_rows: Vec<bool>,
     hiding: u64,
     achieved: AchievedLevel,
     /// Goal and camera of the triangles, unless they follow the pose.

@@ -17,19 +17,19 @@ const IMAGE_BYTES: u64 = 1 << 29;
 /// A scene with its levels.
 #[derive(Debug)]
 pub(in crate::window) struct SceneSubject {
-    pub(in crate::window) origin: Origin,
-    pub(in crate::window) lods: LodScene,
-    pub(in crate::window) poser: Poser,
+    pub origin: Origin,
+    pub lods: LodScene,
+    pub poser: Poser,
     /// Materials of the document, and stone if the scene does not say how it looks.
-    pub(super) materials: Vec<LitMaterial>,
-    pub(super) images: Vec<LitImage>,
+    pub materials: Vec<LitMaterial>,
+    pub images: Vec<LitImage>,
     /// Names and average colors, linear light, of the materials of the document.
-    pub(super) swatches: Vec<(String, [f32; 3])>,
+    pub swatches: Vec<(String, [f32; 3])>,
     /// Material of each primitive of each mesh.
-    pub(super) primitive_materials: Vec<Vec<Option<usize>>>,
-    pub(in crate::window) rows: Vec<TreeRow>,
+    pub primitive_materials: Vec<Vec<Option<usize>>>,
+    pub rows: Vec<TreeRow>,
     /// Box around everything without animation.
-    pub(in crate::window) bounds: Bounds,
+    pub bounds: Bounds,
 }
 
 impl SceneSubject {

@@ -6,13 +6,13 @@ use striata_io::Scene;
 /// A node, or a mesh of a document without nodes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::window) struct TreeRow {
-    pub(in crate::window) name: String,
+    pub name: String,
     /// Number of nodes above it.
-    pub(in crate::window) depth: usize,
+    pub depth: usize,
     /// Index of the row after its last descendant.
-    pub(in crate::window) end: usize,
+    pub end: usize,
     /// Instances that the node itself shows.
-    pub(in crate::window) instances: Vec<usize>,
+    pub instances: Vec<usize>,
 }
 
 /// Rows with each parent before its children; nodes below which nothing is shown are left out.

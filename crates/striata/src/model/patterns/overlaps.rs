@@ -28,9 +28,9 @@ pub(super) fn run_location(code: u32, offset: u32) -> u32 {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(in crate::model) struct Share {
     /// Index of the link, or [`Share::FULL`] for a triangle of the full mesh.
-    pub(super) link: u32,
+    pub link: u32,
     /// Index of the triangle in the run.
-    pub(super) offset: u32,
+    pub offset: u32,
 }
 
 impl Share {

@@ -68,7 +68,7 @@ pub(super) struct Draft {
 /// The packed records of all steps.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::model) struct Records {
-    pub(super) step_count: usize,
+    pub step_count: usize,
     layout: Layout,
     /// The words of all blocks.
     blocks: Vec<u32>,
@@ -95,15 +95,15 @@ struct Block {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::model) struct Layout {
     /// Number of kinds.
-    pub(super) kind_count: u32,
+    pub kind_count: u32,
     /// Number of low bits of a kind, which every step stores.
-    pub(super) short_kind_bits: u32,
+    pub short_kind_bits: u32,
     /// Number of half-edges of the largest floor.
-    pub(super) half_edge_count: u32,
+    pub half_edge_count: u32,
     /// Whether links up have errors.
-    pub(super) has_errors: bool,
+    pub has_errors: bool,
     /// Whether counts of links down take 4 bits instead of 2.
-    pub(super) has_wide_counts: bool,
+    pub has_wide_counts: bool,
 }
 
 /// Kind of a step, and the place, number and widths of its links.

@@ -11,23 +11,23 @@ pub(super) const NONE: u32 = u32::MAX;
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub(in crate::model) struct Rule {
     /// Number of vertices that the step restores; they have the first local indices.
-    pub(super) own_count: u32,
+    pub own_count: u32,
     /// Number of local vertices.
-    pub(super) local_count: u32,
+    pub local_count: u32,
     /// Triangles of the ceiling, each with its youngest corner first.
-    pub(super) ceiling: Vec<[u32; 3]>,
-    pub(super) floor: Vec<[u32; 3]>,
+    pub ceiling: Vec<[u32; 3]>,
+    pub floor: Vec<[u32; 3]>,
     /// Group of each ceiling triangle; empty if the model has only one group.
-    pub(super) ceiling_groups: Vec<u32>,
-    pub(super) floor_groups: Vec<u32>,
+    pub ceiling_groups: Vec<u32>,
+    pub floor_groups: Vec<u32>,
     /// Local vertices that are missing from the ceiling or the floor; each fragment lists them explicitly.
-    pub(super) extras: Vec<u32>,
+    pub extras: Vec<u32>,
     /// For corner `c` of floor triangle `j`, at `3 j + c`: the corner of the same vertex in the next
     /// triangle around it.
-    pub(super) next_around: Vec<u32>,
+    pub next_around: Vec<u32>,
     /// Half-edges by their code: first those to which `next_around` does not lead, then those to which it
     /// leads from these, and so on. A run usually begins at one of the first.
-    pub(super) starts: Vec<u32>,
+    pub starts: Vec<u32>,
 }
 
 impl Rule {

@@ -28,8 +28,8 @@ const UNKNOWN: u32 = u32::MAX;
 /// A triangle with the vertices that determine its colors, relative to the removed vertex.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::simplify) struct ShownTriangle {
-    pub(in crate::simplify) vertices: [u32; 3],
-    pub(in crate::simplify) points: [Vec3; 3],
+    pub vertices: [u32; 3],
+    pub points: [Vec3; 3],
 }
 
 impl ShownTriangle {

@@ -21,15 +21,15 @@ pub(in crate::simplify) enum CollapseKind {
 /// A collapse whose cost has been evaluated in full.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::simplify) struct CollapseChoice {
-    pub(in crate::simplify) kind: CollapseKind,
-    pub(in crate::simplify) cost: f32,
-    pub(in crate::simplify) target: u32,
+    pub kind: CollapseKind,
+    pub cost: f32,
+    pub target: u32,
     /// Squared distance of the vertex from its new fan, scaled units.
-    pub(in crate::simplify) distance_squared: f32,
+    pub distance_squared: f32,
     /// Squared distance of the fan's new edges from the old star, scaled units.
-    pub(in crate::simplify) protrusion_squared: f32,
+    pub protrusion_squared: f32,
     /// Distance of the fan from the original mesh, scaled units, if it has been measured.
-    pub(in crate::simplify) outward: Option<f32>,
+    pub outward: Option<f32>,
 }
 
 impl CollapseChoice {

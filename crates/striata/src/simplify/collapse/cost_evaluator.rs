@@ -69,23 +69,23 @@ struct Candidate {
 pub(in crate::simplify) struct CostEvaluator<'a> {
     /// Positions relative to the center of the bounds, with the diagonal scaled to 1, padded to a
     /// vector register.
-    pub(in crate::simplify) positions: Vec<[f32; 4]>,
+    pub positions: Vec<[f32; 4]>,
     /// Mesh units per scaled unit.
-    pub(in crate::simplify) scale: f64,
-    pub(in crate::simplify) links: Links,
-    pub(in crate::simplify) wedges: Option<Wedges<'a>>,
-    pub(in crate::simplify) history: CostHistory,
-    pub(in crate::simplify) pairs: Option<Pairs>,
-    pub(in crate::simplify) star: Star,
-    pub(in crate::simplify) legality: Legality,
+    pub scale: f64,
+    pub links: Links,
+    pub wedges: Option<Wedges<'a>>,
+    pub history: CostHistory,
+    pub pairs: Option<Pairs>,
+    pub star: Star,
+    pub legality: Legality,
     /// Global state for relaxed collapses, once there may be some.
-    pub(in crate::simplify) relaxed: Option<RelaxedState<'a>>,
-    pub(in crate::simplify) attributes: Option<AttributeSpace>,
-    pub(in crate::simplify) is_locked: Vec<bool>,
+    pub relaxed: Option<RelaxedState<'a>>,
+    pub attributes: Option<AttributeSpace>,
+    pub is_locked: Vec<bool>,
     /// The test that the mesh stays a height field, if it must.
-    pub(in crate::simplify) height_field: Option<HeightField>,
+    pub height_field: Option<HeightField>,
     /// Whether the mesh was cut out of a larger one, at locked positions.
-    pub(in crate::simplify) is_cell: bool,
+    pub is_cell: bool,
     seams: SeamRule,
     locks_boundary: bool,
     partners: Vec<u32>,

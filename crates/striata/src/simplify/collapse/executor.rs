@@ -24,16 +24,16 @@ pub(in crate::simplify) struct CollapseExecutor {
     scale: f64,
     witnesses: Witnesses,
     /// Neighbors of the position removed last, each once.
-    pub(in crate::simplify) ring: Vec<u32>,
+    pub ring: Vec<u32>,
     /// Number of triangles left.
-    pub(in crate::simplify) triangle_count: usize,
+    pub triangle_count: usize,
     /// Number of steps recorded before the last collapse.
     last: usize,
     /// Scratch: positions without triangles, and sample points of removed triangles.
     gone: Vec<u32>,
     points: Vec<Vec3>,
     /// Record of the collapses; the caller appends the errors.
-    pub(in crate::simplify) record: CollapseRecord,
+    pub record: CollapseRecord,
 }
 
 impl CollapseExecutor {

@@ -91,24 +91,24 @@ impl StarNormal {
 #[derive(Clone, Copy)]
 pub(in crate::simplify) struct Verdict {
     /// Triangles that keep their orientation and do not become slivers, as far as their own normals show.
-    pub(in crate::simplify) is_allowed: f32x8,
+    pub is_allowed: f32x8,
     /// Allowed triangles whose own old normal does not rule out that they turn over within a flat surface.
-    pub(in crate::simplify) may_turn: f32x8,
+    pub may_turn: f32x8,
 }
 
 /// Eight triangles `(v, a, b)` and the fan triangles `(u, a, b)` that would replace them.
 #[derive(Clone, Copy)]
 pub(in crate::simplify) struct Change {
     /// Lengths of the unscaled normals.
-    pub(in crate::simplify) old_length: f32x8,
-    pub(in crate::simplify) new_length: f32x8,
+    pub old_length: f32x8,
+    pub new_length: f32x8,
     /// Dot products of the unscaled normals with each other, and with the sum of all normals of the star.
-    pub(in crate::simplify) new_on_old: f32x8,
-    pub(in crate::simplify) new_on_mean: f32x8,
-    pub(in crate::simplify) old_on_mean: f32x8,
+    pub new_on_old: f32x8,
+    pub new_on_mean: f32x8,
+    pub old_on_mean: f32x8,
     /// Sums of the squared edge lengths.
-    pub(in crate::simplify) old_edges: f32x8,
-    pub(in crate::simplify) new_edges: f32x8,
+    pub old_edges: f32x8,
+    pub new_edges: f32x8,
 }
 
 impl Change {
@@ -143,12 +143,12 @@ impl Change {
 /// With `p` the point, `d` contains AB.Ap, AC.Ap, AB.Bp, AC.Bp, AB.Cp, AC.Cp.
 #[derive(Clone, Copy)]
 pub(in crate::simplify) struct Products {
-    pub(in crate::simplify) d: [f32x8; 6],
+    pub d: [f32x8; 6],
     /// Squared distances of the point from A, B and C.
-    pub(in crate::simplify) corners: [f32x8; 3],
+    pub corners: [f32x8; 3],
     /// Distance from the plane times the length of the unscaled normal.
-    pub(in crate::simplify) height: f32x8,
-    pub(in crate::simplify) normal_squared: f32x8,
+    pub height: f32x8,
+    pub normal_squared: f32x8,
 }
 
 impl Products {

@@ -15,9 +15,9 @@ pub(in crate::simplify) const MAX_REMOVED: usize = 255;
 #[derive(Debug, Default)]
 pub(in crate::simplify) struct Legality {
     /// Whether separate parts may merge, which disables the tests against pinching.
-    pub(in crate::simplify) may_merge: bool,
+    pub may_merge: bool,
     /// Whether whole parts may vanish, so that a soup of parts can shrink.
-    pub(in crate::simplify) may_vanish: bool,
+    pub may_vanish: bool,
     apexes: Vec<u32>,
     edges: Vec<LinkEdge>,
     other: Vec<LinkEdge>,

@@ -17,11 +17,11 @@ const MAX_FOLLOWERS: usize = 24;
 /// Positions that lose their last triangle in a collapse, and the position that replaces them.
 pub(in crate::simplify) struct LostPositions {
     /// Remaining position that the lost positions are merged into; `None` if nothing is left.
-    pub(in crate::simplify) host: Option<u32>,
+    pub host: Option<u32>,
     /// Positions that have no triangles any more, besides the collapsed one.
-    pub(in crate::simplify) positions: Vec<u32>,
+    pub positions: Vec<u32>,
     /// Sample points of a part that has vanished.
-    pub(in crate::simplify) points: Vec<Vec3>,
+    pub points: Vec<Vec3>,
 }
 
 impl CostEvaluator<'_> {

@@ -35,11 +35,11 @@ const EXTENT_WEIGHT: f32 = 1.0;
 /// Cost and distance if a part vanishes.
 #[derive(Clone, Debug)]
 pub(in crate::simplify) struct VanishingEstimate {
-    pub(in crate::simplify) cost: f32,
+    pub cost: f32,
     /// Largest distance of the part, and of everything it replaces, from its hosts.
-    pub(in crate::simplify) distance: f32,
+    pub distance: f32,
     /// A corner of the triangle nearest to the part's first sample.
-    pub(in crate::simplify) host: u32,
+    pub host: u32,
     /// The parts that replace it.
     hosts: Vec<u32>,
     /// Build number of the surface snapshot that was used for measuring.
@@ -55,11 +55,11 @@ impl VanishingEstimate {
 /// Area that is lost with a vanishing part, and the host that could make up for it.
 pub(in crate::simplify) struct LostCover {
     /// The area that the part should cover.
-    pub(in crate::simplify) cover: f32,
+    pub cover: f32,
     /// A corner of the host.
-    pub(in crate::simplify) host: u32,
+    pub host: u32,
     /// Whether the host is so close that it already covers the same space.
-    pub(in crate::simplify) is_covered: bool,
+    pub is_covered: bool,
 }
 
 #[derive(Debug, Default)]
@@ -95,12 +95,12 @@ struct PartTriangles {
 
 /// Data for measuring distances between parts.
 pub(in crate::simplify) struct MeasuringContext<'a> {
-    pub(in crate::simplify) welded: &'a Welded,
-    pub(in crate::simplify) positions: &'a [[f32; 4]],
-    pub(in crate::simplify) attributes: Option<&'a AttributeSpace>,
-    pub(in crate::simplify) snapshot: &'a SurfaceSnapshot,
+    pub welded: &'a Welded,
+    pub positions: &'a [[f32; 4]],
+    pub attributes: Option<&'a AttributeSpace>,
+    pub snapshot: &'a SurfaceSnapshot,
     /// Build number of the surface snapshot.
-    pub(in crate::simplify) generation: u32,
+    pub generation: u32,
 }
 
 /// Sample point of a part.

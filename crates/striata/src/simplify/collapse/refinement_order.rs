@@ -6,24 +6,24 @@ use crate::mesh::{CollapseSequence, PositionIndex, RefinableMesh, SequenceError,
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::simplify) struct StepCost {
     /// Cost at which the step left the queue, scaled units.
-    pub(in crate::simplify) cost: f32,
+    pub cost: f32,
     /// Distance of the surface before the step from the one after it, scaled units, squared.
-    pub(in crate::simplify) distance_squared: f32,
+    pub distance_squared: f32,
 }
 
 /// Everything recorded during the collapses, in the numbering of the welded mesh and in order of removal.
 #[derive(Debug, Default)]
 pub(in crate::simplify) struct CollapseRecord {
     /// Removed positions.
-    pub(in crate::simplify) removed: Vec<u32>,
+    pub removed: Vec<u32>,
     /// Error of the mesh after each removal, mesh units, never decreasing.
-    pub(in crate::simplify) errors: Vec<f32>,
+    pub errors: Vec<f32>,
     /// Number of triangles that each removal removes.
-    pub(in crate::simplify) removed_triangle_counts: Vec<u8>,
+    pub removed_triangle_counts: Vec<u8>,
     /// Cost of each removal; empty unless the mesh is a cell.
-    pub(in crate::simplify) costs: Vec<StepCost>,
+    pub costs: Vec<StepCost>,
     /// Target vertex of every vertex of a removed position; other entries are unused.
-    pub(in crate::simplify) targets: Vec<u32>,
+    pub targets: Vec<u32>,
 }
 
 impl CollapseRecord {
@@ -42,13 +42,13 @@ impl CollapseRecord {
 
 /// Numbering of a welded mesh's vertices for a given order of removed positions.
 pub(in crate::simplify) struct RefinementOrder {
-    pub(in crate::simplify) base_position_count: usize,
+    pub base_position_count: usize,
     /// First new vertex of every position in refinement order, followed by the vertex count.
-    pub(in crate::simplify) first: Vec<u32>,
+    pub first: Vec<u32>,
     /// Old index of each new vertex.
-    pub(in crate::simplify) vertex_order: Vec<u32>,
+    pub vertex_order: Vec<u32>,
     /// New index of each old vertex.
-    pub(in crate::simplify) new_index: Vec<u32>,
+    pub new_index: Vec<u32>,
 }
 
 impl RefinementOrder {

@@ -23,33 +23,33 @@ pub(in crate::simplify) type RemovedPositions<'r> = (&'r [u32], &'r [u32]);
 
 /// Global state of the mesh that relaxed collapses need.
 pub(in crate::simplify) struct RelaxedState<'a> {
-    pub(in crate::simplify) welded: &'a Welded,
-    pub(in crate::simplify) parts: Parts,
+    pub welded: &'a Welded,
+    pub parts: Parts,
     /// The position that each position was merged into, with path compression.
-    pub(in crate::simplify) current: Vec<u32>,
+    pub current: Vec<u32>,
     /// Next position in the cycle of all positions that were merged together; `follower_count` is the
     /// length of that cycle for each position that still exists.
-    pub(in crate::simplify) next: Vec<u32>,
-    pub(in crate::simplify) follower_count: Vec<u32>,
-    pub(in crate::simplify) triangle_count: usize,
-    pub(in crate::simplify) snapshot: SurfaceSnapshot,
+    pub next: Vec<u32>,
+    pub follower_count: Vec<u32>,
+    pub triangle_count: usize,
+    pub snapshot: SurfaceSnapshot,
     /// Number of times that `snapshot` was built.
-    pub(in crate::simplify) generation: u32,
-    pub(in crate::simplify) outward: OutwardBounds,
+    pub generation: u32,
+    pub outward: OutwardBounds,
     /// Index of the last search that visited the star of each position.
-    pub(in crate::simplify) stamps: Vec<u32>,
-    pub(in crate::simplify) search: u32,
-    pub(in crate::simplify) keeps_parts: bool,
+    pub stamps: Vec<u32>,
+    pub search: u32,
+    pub keeps_parts: bool,
     /// Whether relaxed collapses begin only after all strict ones.
-    pub(in crate::simplify) begins_last: bool,
+    pub begins_last: bool,
     /// Whether small parts make up most of the mesh.
-    pub(in crate::simplify) is_foliage: bool,
-    pub(in crate::simplify) has_locks: bool,
+    pub is_foliage: bool,
+    pub has_locks: bool,
     /// Whether a relaxed collapse has been applied.
-    pub(in crate::simplify) has_relaxed: bool,
-    pub(in crate::simplify) edges: Vec<LinkEdge>,
-    pub(in crate::simplify) order: Vec<u32>,
-    pub(in crate::simplify) lost: Vec<u32>,
+    pub has_relaxed: bool,
+    pub edges: Vec<LinkEdge>,
+    pub order: Vec<u32>,
+    pub lost: Vec<u32>,
 }
 
 impl<'a> RelaxedState<'a> {

@@ -18,17 +18,17 @@ use super::wedges::Wedges;
 /// Triangle of the tree.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::simplify) struct SnapshotTriangle {
-    pub(in crate::simplify) positions: [u32; 3],
-    pub(in crate::simplify) vertices: [u32; 3],
+    pub positions: [u32; 3],
+    pub vertices: [u32; 3],
 }
 
 /// Point on the tree's triangles that is nearest to a query point.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::simplify) struct SnapshotPoint {
-    pub(in crate::simplify) distance_squared: f32,
-    pub(in crate::simplify) triangle: SnapshotTriangle,
+    pub distance_squared: f32,
+    pub triangle: SnapshotTriangle,
     /// Barycentric coordinates in the triangle.
-    pub(in crate::simplify) weights: [f32; 3],
+    pub weights: [f32; 3],
 }
 
 /// Box tree over all triangles that exist when it is built.

@@ -115,8 +115,8 @@ fn first_bits(count: usize) -> u64 {
 /// A section of the pass.
 #[derive(Clone, Debug)]
 pub(in super::super) struct Span {
-    pub(in super::super) base: Range<u32>,
-    pub(in super::super) steps: Range<u32>,
+    pub base: Range<u32>,
+    pub steps: Range<u32>,
 }
 
 impl Span {

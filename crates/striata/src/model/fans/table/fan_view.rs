@@ -24,12 +24,12 @@ impl<'t> Entry<'t> {
 /// A fan in its encoded form.
 #[derive(Clone, Copy, Debug)]
 pub(in super::super) struct FanView<'t> {
-    pub(in super::super) group: u32,
-    pub(in super::super) vertex: u32,
-    pub(in super::super) own_step: u32,
-    pub(in super::super) is_closed: bool,
-    pub(in super::super) permanent: u32,
-    pub(in super::super) node_count: usize,
+    pub group: u32,
+    pub vertex: u32,
+    pub own_step: u32,
+    pub is_closed: bool,
+    pub permanent: u32,
+    pub node_count: usize,
     creator_count: usize,
     numbers: Width,
     masks: Width,

@@ -7,21 +7,21 @@ use crate::model::varint::write_varint;
 /// them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(in super::super) struct Fan {
-    pub(in super::super) group: u32,
-    pub(in super::super) arc_count: usize,
+    pub group: u32,
+    pub arc_count: usize,
     /// One node per arc and, unless the fan is closed, one more.
-    pub(in super::super) nodes: Vec<u32>,
-    pub(in super::super) permanent: u32,
-    pub(in super::super) creators: Vec<Creator>,
+    pub nodes: Vec<u32>,
+    pub permanent: u32,
+    pub creators: Vec<Creator>,
 }
 
 /// A step that creates some arcs of a fan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in super::super) struct Creator {
-    pub(in super::super) step: u32,
-    pub(in super::super) mask: u32,
+    pub step: u32,
+    pub mask: u32,
     /// Whether this entry lists the step as a child in the tree; only one entry does so for each step.
-    pub(in super::super) is_child: bool,
+    pub is_child: bool,
 }
 
 /// Encodes entries, vertex by vertex.

@@ -17,7 +17,7 @@ pub(in crate::simplify) enum LinkKind {
 /// One edge of a link: the triangle `(v, a, b)`, with its index if triangles are followed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::simplify) struct LinkEdge {
-    pub(in crate::simplify) a: u32,
-    pub(in crate::simplify) b: u32,
-    pub(in crate::simplify) triangle: u32,
+    pub a: u32,
+    pub b: u32,
+    pub triangle: u32,
 }

@@ -43,7 +43,7 @@ pub(in crate::simplify) type SeamBetween<'a> = &'a dyn Fn(&Star, usize, usize) -
 #[derive(Debug, Default)]
 pub(in crate::simplify) struct Star {
     /// Neighbors, each once; candidates for the target.
-    pub(in crate::simplify) ids: Vec<u32>,
+    pub ids: Vec<u32>,
     /// Neighbors relative to `v`, then the first one again for rings, then zeros up to whole lanes.
     offsets: Coordinates,
     /// Corners of each triangle as indices into `ids`; empty for rings, whose triangle i is (i, i + 1).
@@ -55,9 +55,9 @@ pub(in crate::simplify) struct Star {
     /// Unscaled normals of the triangles, then zeros up to whole lanes.
     normals: Coordinates,
     /// Cost of each neighbor as the target; infinite if it is not allowed.
-    pub(in crate::simplify) costs: Vec<f32>,
+    pub costs: Vec<f32>,
     /// Triangle indices, if the links store them.
-    pub(in crate::simplify) triangles: Vec<u32>,
+    pub triangles: Vec<u32>,
     triangle_count: usize,
     /// Coefficients of the quadratic form: xx, yy, zz, xy, xz, yz.
     form: [f32; 6],
@@ -73,7 +73,7 @@ pub(in crate::simplify) struct Star {
     border_edges: Vec<BorderEdge>,
     /// The vertex of the center that each triangle uses, if
     /// [`Wedges::load_center_wedges`](super::wedges::Wedges::load_center_wedges) was called.
-    pub(in crate::simplify) center_wedges: Vec<u32>,
+    pub center_wedges: Vec<u32>,
 }
 
 impl Star {

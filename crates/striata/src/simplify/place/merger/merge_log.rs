@@ -6,24 +6,24 @@ use crate::mesh::AttributeLayer;
 #[derive(Clone, Debug)]
 pub(in crate::simplify::place) struct LoggedMerge {
     /// Position that is removed, and the one that it is merged with.
-    pub(in crate::simplify::place) removed: u32,
-    pub(in crate::simplify::place) kept: u32,
+    pub removed: u32,
+    pub kept: u32,
     /// New place of the kept position, mesh units, and the first row with the attributes of its wedges;
     /// `None` if it stays.
-    pub(in crate::simplify::place) moved: Option<([f32; 3], u32)>,
+    pub moved: Option<([f32; 3], u32)>,
     /// Other positions that lose their last triangle.
-    pub(in crate::simplify::place) lost: Vec<u32>,
+    pub lost: Vec<u32>,
     /// Whether the merge belongs to the same step as the one before it.
-    pub(in crate::simplify::place) continues: bool,
+    pub continues: bool,
 }
 
 /// All merges, and the attributes of moved vertices.
 #[derive(Clone, Debug)]
 pub(in crate::simplify::place) struct MergeLog {
-    pub(in crate::simplify::place) merges: Vec<LoggedMerge>,
+    pub merges: Vec<LoggedMerge>,
     /// Attributes: a row for each vertex of the welded mesh, then one for each wedge that moved, in order.
-    pub(in crate::simplify::place) rows: Vec<AttributeLayer>,
-    pub(in crate::simplify::place) row_count: u32,
+    pub rows: Vec<AttributeLayer>,
+    pub row_count: u32,
 }
 
 impl MergeLog {
