@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use percent_encoding::percent_decode_str;
 use striata::mesh::Image;
 
-use crate::encoded::CompanionFile;
+use crate::CompanionFile;
 use crate::error::Place;
 use crate::report::Warnings;
 

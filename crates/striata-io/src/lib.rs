@@ -111,7 +111,6 @@ mod companions;
 mod compressed;
 #[cfg(feature = "gltf")]
 mod contacts;
-mod encoded;
 mod error;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 mod file_view;
@@ -175,7 +174,6 @@ pub use atomic::{FileBatch, write_atomically};
 pub use blocks::{StripSpool, TriangleBlocks};
 pub use color_space::{convert_colors, linear_to_srgb_colors, needs_other_colors, srgb_to_linear_colors};
 pub use compressed::decompressed;
-pub use encoded::{CompanionFile, EncodedMesh, encode_mesh};
 pub use error::{Place, ReadError, WriteError};
 pub use format::Format;
 #[cfg(feature = "gltf")]
@@ -196,7 +194,7 @@ pub use scene::{
 #[cfg(all(feature = "gltf", not(target_family = "wasm")))]
 pub use scene::{read_scene, write_scene, write_scene_with_report};
 pub use source::Source;
-pub use write::to_bytes;
+pub use write::{CompanionFile, EncodedMesh, encode_mesh, to_bytes};
 #[cfg(not(target_family = "wasm"))]
 pub use write::{write, write_with_report};
 pub use write_options::{GridScope, QuantizeOptions, WriteOptions};

@@ -1,18 +1,130 @@
-//! Writing to a path or to bytes, in any format.
+//! Writing to a path or to bytes, in any format, with the files that a mesh refers to.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use striata::mesh::IndexedMesh;
 
 use crate::cache_order::in_cache_order;
 use crate::compressed::Compression;
-use crate::encoded::{CompanionFile, encode_mesh};
 use crate::error::Refusal;
-#[cfg(not(target_family = "wasm"))]
-use crate::report::Warning;
-use crate::report::Warnings;
-use crate::write_options::WriteOptions;
-use crate::{Format, WriteError};
+use crate::report::{Warning, Warnings};
+use crate::{Format, WriteError, WriteOptions};
+
+/// A mesh as a file, with the files that it refers to and remarks on what the format could not store.
+#[derive(Clone, Debug, Default)]
+#[non_exhaustive]
+pub struct EncodedMesh {
+    /// Contents of the file itself.
+    pub bytes: Vec<u8>,
+    /// Material libraries and images, which belong next to the file. None is there under its name already,
+    /// other than a material library that an earlier output of ours has left.
+    pub companions: Vec<CompanionFile>,
+    /// Remarks on materials, textures and layers that were left out or changed.
+    pub warnings: Vec<Warning>,
+}
+
+/// A file that an encoded mesh refers to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct CompanionFile {
+    /// Path of the file, in the folder of the mesh.
+    pub path: PathBuf,
+    /// Contents of the file.
+    pub bytes: Vec<u8>,
+}
+
+impl EncodedMesh {
+    /// Writes the file and its companions: all of them or none. A pipe or device only gets the file.
+    ///
+    /// # Errors
+    /// Returns [`WriteError`] with the file and the reason.
+    #[cfg(not(target_family = "wasm"))]
+    pub fn write(&self, path: &Path) -> Result<(), WriteError> {
+        if self.companions.is_empty() {
+            return crate::write_atomically(path, |out| out.write_all(&self.bytes));
+        }
+        let mut batch = crate::FileBatch::default();
+        self.stage(path, &mut batch)?;
+        batch.commit()
+    }
+
+    /// Adds the file and its companions to files that appear together.
+    ///
+    /// # Errors
+    /// Returns [`WriteError`] with the file and the reason.
+    #[cfg(not(target_family = "wasm"))]
+    pub fn stage(&self, path: &Path, batch: &mut crate::FileBatch) -> Result<(), WriteError> {
+        for companion in &self.companions {
+            batch.write_shared(&companion.path, &companion.bytes)?;
+        }
+        batch.write(path, |out| out.write_all(&self.bytes))
+    }
+}
+
+/// Whether files can lie next to an output: not if it is a pipe or a device.
+pub(crate) fn can_have_companions(path: &Path) -> bool {
+    !path.metadata().is_ok_and(|there| !there.is_file() && !there.is_dir())
+}
+
+/// Encodes a mesh as the file at `path`, compressed if the name ends in `.gz` or `.zst`, with the material
+/// libraries and images that belong next to it.
+///
+/// The folder of the path is searched for images that are there already, but nothing is written. Without a
+/// path, as for [`to_bytes`](crate::to_bytes), there are no companions: an OBJ then names the libraries that
+/// the mesh came with, and a PLY its images, by the names that they would get.
+///
+/// # Errors
+/// Returns [`WriteError`] if the mesh is inconsistent or the format cannot store it.
+pub fn encode_mesh(
+    format: Format,
+    mesh: &IndexedMesh,
+    options: &WriteOptions,
+    path: Option<&Path>,
+) -> Result<EncodedMesh, WriteError> {
+    let file = path.map_or_else(|| format.to_string(), |path| path.display().to_string());
+    let mut warnings = Warnings::of_file(&file);
+    let folder_path = path.filter(|path| can_have_companions(path));
+    check_parts(mesh).map_err(|refusal| refusal.in_file(&file, format))?;
+    crate::lost_data::warn(format, mesh, &mut warnings);
+    let is_gltf = matches!(format, Format::Gltf | Format::Glb);
+    let mesh = if options.has_cache_order() && !is_gltf { &in_cache_order(mesh) } else { mesh };
+    let mut companions = Vec::new();
+    #[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
+    let mut images = crate::image_files::ImageFiles::new(&mesh.appearance.images, folder_path);
+    let bytes: Result<Vec<u8>, Refusal> = match format {
+        #[cfg(feature = "ply")]
+        Format::Ply => crate::ply::to_bytes(mesh, options.ascii, &mut images, &mut warnings),
+        #[cfg(feature = "obj")]
+        Format::Obj => Ok(crate::obj::to_bytes(mesh, folder_path, &mut images, &mut warnings)),
+        #[cfg(feature = "stl")]
+        Format::Stl => crate::stl::to_bytes(mesh, &mut warnings),
+        #[cfg(feature = "off")]
+        Format::Off => Ok(crate::off::to_bytes(mesh, &mut warnings)),
+        #[cfg(feature = "gltf")]
+        Format::Gltf | Format::Glb => {
+            let container =
+                crate::gltf::Container::new(format, options, folder_path, (&mut images, &mut warnings));
+            crate::gltf::to_bytes(mesh, options, container)
+        }
+        #[cfg(feature = "vtk")]
+        Format::Vtk | Format::Vtp | Format::Vtu => crate::vtk::to_bytes(format, mesh, &mut warnings),
+        #[cfg(feature = "threemf")]
+        Format::ThreeMf => crate::three_mf::mesh_to_bytes(mesh, &mut warnings),
+        Format::Striata | Format::Stream => {
+            return Err(WriteError::UnknownFormat { file });
+        }
+        #[allow(unreachable_patterns, reason = "in a build with all formats")]
+        off => {
+            let (what, feature) = off.name_and_feature();
+            return Err(WriteError::FeatureOff { file, what, feature });
+        }
+    };
+    #[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
+    companions.extend(images.into_files());
+    let bytes = bytes.map_err(|refusal| refusal.in_file(&file, format))?;
+    let bytes = if path.is_some() { packed_for_name(bytes, &file)? } else { bytes };
+    Ok(EncodedMesh { bytes, companions, warnings: warnings.into_list() })
+}
 
 /// Writes a mesh to a file. The extension decides the format; `.gz` or `.zst` after it selects compression.
 ///
@@ -62,53 +174,6 @@ pub(crate) fn packed_for_name(bytes: Vec<u8>, file: &str) -> Result<Vec<u8>, Wri
 /// Returns [`WriteError`] if the mesh is inconsistent or the format cannot store it.
 pub fn to_bytes(format: Format, mesh: &IndexedMesh, options: &WriteOptions) -> Result<Vec<u8>, WriteError> {
     encode_mesh(format, mesh, options, None).map(|encoded| encoded.bytes)
-}
-
-/// Returns the bytes of a file before compression, and the files that belong next to `path`.
-pub(crate) fn named_bytes(
-    (format, file): (Format, &str),
-    mesh: &IndexedMesh,
-    options: &WriteOptions,
-    path: Option<&Path>,
-    warnings: &mut Warnings,
-) -> Result<(Vec<u8>, Vec<CompanionFile>), WriteError> {
-    check_parts(mesh).map_err(|refusal| refusal.in_file(file, format))?;
-    crate::lost_data::warn(format, mesh, warnings);
-    let is_gltf = matches!(format, Format::Gltf | Format::Glb);
-    let mesh = if options.has_cache_order() && !is_gltf { &in_cache_order(mesh) } else { mesh };
-    let mut companions = Vec::new();
-    #[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
-    let mut images = crate::image_files::ImageFiles::new(&mesh.appearance.images, path);
-    let bytes: Result<Vec<u8>, Refusal> = match format {
-        #[cfg(feature = "ply")]
-        Format::Ply => crate::ply::to_bytes(mesh, options.ascii, &mut images, warnings),
-        #[cfg(feature = "obj")]
-        Format::Obj => Ok(crate::obj::to_bytes(mesh, path, &mut images, warnings)),
-        #[cfg(feature = "stl")]
-        Format::Stl => crate::stl::to_bytes(mesh, warnings),
-        #[cfg(feature = "off")]
-        Format::Off => Ok(crate::off::to_bytes(mesh, warnings)),
-        #[cfg(feature = "gltf")]
-        Format::Gltf | Format::Glb => {
-            let container = crate::gltf::Container::new(format, options, path, (&mut images, warnings));
-            crate::gltf::to_bytes(mesh, options, container)
-        }
-        #[cfg(feature = "vtk")]
-        Format::Vtk | Format::Vtp | Format::Vtu => crate::vtk::to_bytes(format, mesh, warnings),
-        #[cfg(feature = "threemf")]
-        Format::ThreeMf => crate::three_mf::mesh_to_bytes(mesh, warnings),
-        Format::Striata | Format::Stream => {
-            return Err(WriteError::UnknownFormat { file: file.to_owned() });
-        }
-        #[allow(unreachable_patterns, reason = "in a build with all formats")]
-        off => {
-            let (what, feature) = off.name_and_feature();
-            return Err(WriteError::FeatureOff { file: file.to_owned(), what, feature });
-        }
-    };
-    #[cfg(any(feature = "ply", feature = "obj", feature = "gltf"))]
-    companions.extend(images.into_files());
-    bytes.map(|bytes| (bytes, companions)).map_err(|refusal| refusal.in_file(file, format))
 }
 
 /// Checks what the writers rely on; coordinates may have any value, as in [`IndexedMesh`] itself.

@@ -7,7 +7,7 @@ use super::compression::{self, Compression};
 use super::document::Document;
 use super::draco_mesh::{self, DracoMesh};
 use super::json::JsonNode;
-use super::primitive::semantic;
+use super::semantics::semantic;
 use crate::error::Fault;
 
 /// Attribute identifiers in a compressed mesh, sorted; [`None`] for the positions.

@@ -8,8 +8,8 @@ use serde_json::Value;
 use striata::mesh::origin_of;
 
 use super::document::Document;
-use super::node_tree::Transform;
 use super::primitive::Primitive;
+use super::transform::Transform;
 
 /// Number of diagonals from which on a scene is far from zero.
 const FAR: f64 = 16.0;

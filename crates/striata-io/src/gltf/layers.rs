@@ -7,8 +7,8 @@ use striata::mesh::{AttributeLayer, LayerData, Semantic};
 
 use super::accessor::{Accessor, Shape};
 use super::component_type::ComponentType;
-use super::node_tree::Transform;
 use super::primitive::Primitive;
+use super::transform::{Transform, transform_values};
 use crate::error::Fault;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -204,36 +204,6 @@ fn widen<T: Copy + Default>(
     for element in numbers.chunks_exact(from) {
         out.extend_from_slice(element);
         out.extend(std::iter::repeat_n(fill, to - from));
-    }
-}
-
-/// Transforms the numbers of some vertices of a layer like their instance.
-pub(crate) fn transform_values(semantic: &Semantic, numbers: &mut [f32], transform: &Transform) {
-    match semantic {
-        Semantic::Normal | Semantic::MorphNormal(_) => {
-            let is_displacement = *semantic != Semantic::Normal;
-            for n in numbers.as_chunks_mut::<3>().0 {
-                *n = transform.normal(*n, is_displacement);
-            }
-        }
-        Semantic::MorphPosition(_) => {
-            for d in numbers.as_chunks_mut::<3>().0 {
-                *d = transform.displacement(*d);
-            }
-        }
-        Semantic::MorphTangent(_) => {
-            for d in numbers.as_chunks_mut::<3>().0 {
-                *d = transform.tangent(*d, true);
-            }
-        }
-        Semantic::Tangent => {
-            let handedness = if transform.is_mirrored { -1.0 } else { 1.0 };
-            for [x, y, z, w] in numbers.as_chunks_mut::<4>().0 {
-                [*x, *y, *z] = transform.tangent([*x, *y, *z], false);
-                *w *= handedness;
-            }
-        }
-        _ => {}
     }
 }
 

@@ -41,7 +41,6 @@ mod importance;
 mod json;
 mod layers;
 mod meshopt;
-mod morphs;
 mod node_tree;
 mod numbering;
 #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
@@ -52,6 +51,7 @@ mod read_scene;
 mod references;
 mod resample;
 mod rest_pose;
+mod semantics;
 mod shading;
 mod shapes;
 #[cfg_attr(
@@ -60,6 +60,7 @@ mod shapes;
 )]
 mod shared_cache;
 mod shown_meshes;
+mod transform;
 mod unpacked;
 mod uri;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
@@ -83,20 +84,21 @@ pub(crate) mod parts {
     pub(crate) use super::far_origin::{origin_of_corners, placed_corners};
     pub(crate) use super::json::{JsonNode, parse};
     pub(crate) use super::layers::{LayerFormats, add_vertices, append, fill};
-    pub(crate) use super::node_tree::{Instance, Transform, visit_instances};
+    pub(crate) use super::node_tree::{Instance, visit_instances};
     pub(crate) use super::partial::{TriangleCount, TriangleRuns};
     pub(crate) use super::primitive::{Primitive, document_fault};
     pub(crate) use super::rest_pose::RestPose;
     pub(crate) use super::shapes::{check_triangles, left_out};
     pub(crate) use super::shared_cache::{SharedCache, UnpackedCache};
+    pub(crate) use super::transform::Transform;
 }
 
 pub(crate) use extensions::are_all_known;
 pub use extensions::{ExtensionUse, extension_use, known_extensions};
 pub(crate) use files::Container;
 pub(crate) use importance::usable as usable_importance;
-pub(crate) use morphs::target_of;
 pub(crate) use references::{entries, has_triangles};
+pub(crate) use semantics::target_of;
 pub(crate) use shown_meshes::shown_meshes;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub(crate) use vertex_pieces::VertexPieces;

@@ -6,7 +6,7 @@ use super::accessor::{Accessor, accessor};
 use super::document::Document;
 use super::draco::DracoLink;
 use super::json::JsonNode;
-use super::morphs::semantic_in_target;
+use super::semantics::{semantic, semantic_in_target};
 use crate::error::{Fault, Place};
 
 /// Rule by which indices become triangles.
@@ -186,26 +186,6 @@ fn push_proper(triangle: [u32; 3], first_vertex: u32, triangles: &mut Vec<[u32; 
 /// Whether the corners of a triangle of a strip or fan are different.
 pub(super) fn is_proper([a, b, c]: [u32; 3]) -> bool {
     a != b && b != c && c != a
-}
-
-/// Returns the semantic of an attribute other than the positions.
-pub(super) fn semantic(name: &str) -> Semantic {
-    let set = |prefix: &str| name.strip_prefix(prefix).and_then(|digits| digits.parse().ok());
-    if name == "NORMAL" {
-        Semantic::Normal
-    } else if name == "TANGENT" {
-        Semantic::Tangent
-    } else if let Some(set) = set("TEXCOORD_") {
-        Semantic::TexCoord(set)
-    } else if let Some(set) = set("COLOR_") {
-        Semantic::Color(set)
-    } else if let Some(set) = set("JOINTS_") {
-        Semantic::Joints(set)
-    } else if let Some(set) = set("WEIGHTS_") {
-        Semantic::Weights(set)
-    } else {
-        Semantic::Generic(name.strip_prefix('_').unwrap_or(name).to_owned())
-    }
 }
 
 /// Creates a fault for the whole document.

@@ -13,8 +13,7 @@ use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 use super::accessor::accessor;
 use super::document::Document;
 use super::json::JsonNode;
-use super::layers::transform_values;
-use super::node_tree::{PlacedNode, Transform};
+use super::transform::{Transform, transform_values};
 use crate::error::Fault;
 
 /// Matrices of the joints of a skin, from the mesh to the scene.
@@ -43,8 +42,8 @@ pub(super) struct RestPoses {
 }
 
 impl RestPoses {
-    pub(super) fn new(nodes: &[PlacedNode<'_>]) -> Self {
-        let matrix_of = nodes.iter().map(|node| (node.index, node.matrix)).collect();
+    /// Starts with the transform of each node of the scene.
+    pub(super) fn new(matrix_of: BTreeMap<usize, DMat4>) -> Self {
         Self { matrix_of, skins: BTreeMap::new() }
     }
 

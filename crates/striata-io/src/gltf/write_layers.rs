@@ -12,7 +12,7 @@ use striata::mesh::{AttributeLayer, Bounds, IndexedMesh, LayerData, Semantic};
 
 use super::builder::Builder;
 use super::component_type::ComponentType;
-use super::morphs::target_of;
+use super::semantics::target_of;
 use crate::error::Refusal;
 use crate::normals::unit;
 

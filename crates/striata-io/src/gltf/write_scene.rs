@@ -14,10 +14,9 @@ use striata::strip::cache_order;
 
 use super::builder::Builder;
 use super::files::Container;
-use super::morphs::semantic_in_target;
 use super::passes::GltfParts;
-use super::primitive::semantic;
 use super::references::{entries, has_triangles};
+use super::semantics::{semantic, semantic_in_target};
 use super::vertex_pools::{Pool, pools};
 use super::write::insert;
 use super::write_layers::{Attributes, attributes};

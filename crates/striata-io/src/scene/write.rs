@@ -7,6 +7,11 @@ use striata::mesh::IndexedMesh;
 use super::{Scene, SceneWriter};
 #[cfg(not(target_family = "wasm"))]
 use crate::Warning;
+use crate::error::Refusal;
+use crate::gltf::Container;
+use crate::image_files::ImageFiles;
+use crate::report::Warnings;
+use crate::write::{can_have_companions, packed_for_name};
 use crate::write_options::WriteOptions;
 use crate::{EncodedMesh, Format, ReadError, Source, WriteError, convert_colors, encode_mesh, read_bytes};
 
@@ -22,6 +27,44 @@ impl Scene {
             ReadError::Malformed { file, reason, .. } => WriteError::BadMesh { file, reason },
             other => WriteError::BadMesh { file: "scene.glb".to_owned(), reason: other.to_string() },
         })
+    }
+}
+
+impl SceneWriter<'_> {
+    /// Encodes the file as glTF with everything embedded, or as GLB.
+    ///
+    /// # Errors
+    /// [`WriteError`] if the format is another one, a mesh contains numbers that glTF cannot store, a shared
+    /// mesh does not fit its vertices, or the file would be too large.
+    pub fn to_bytes(&self, format: Format, options: &WriteOptions) -> Result<Vec<u8>, WriteError> {
+        self.encode(format, options, None).map(|encoded| encoded.bytes)
+    }
+
+    /// Encodes the file at a path, like [`encode_scene`](crate::encode_scene): a `.gltf` with its buffer and images
+    /// in files next to it, unless [`WriteOptions::embed`] is set.
+    ///
+    /// # Errors
+    /// As [`to_bytes`](Self::to_bytes).
+    pub fn encode(
+        &self,
+        format: Format,
+        options: &WriteOptions,
+        path: Option<&Path>,
+    ) -> Result<EncodedMesh, WriteError> {
+        let file = path.map_or_else(|| format.to_string(), |path| path.display().to_string());
+        let mut warnings = Warnings::of_file(&file);
+        let beside = path.filter(|path| can_have_companions(path));
+        let mut images = ImageFiles::new(self.scene.images(), beside);
+        let bytes = match format {
+            Format::Gltf | Format::Glb => {
+                let container = Container::new(format, options, beside, (&mut images, &mut warnings));
+                crate::gltf::scene_to_bytes(self, options, container)
+            }
+            _ => Err(Refusal::Unsupported("the format has no scenes".to_owned())),
+        };
+        let bytes = bytes.map_err(|refusal| refusal.in_file(&file, format))?;
+        let bytes = if path.is_some() { packed_for_name(bytes, &file)? } else { bytes };
+        Ok(EncodedMesh { bytes, companions: images.into_files(), warnings: warnings.into_list() })
     }
 }
 
@@ -52,10 +95,10 @@ pub fn encode_scene(
     #[cfg(feature = "threemf")]
     if format == Format::ThreeMf {
         let file = path.map_or_else(|| format.to_string(), |path| path.display().to_string());
-        let mut warnings = crate::report::Warnings::of_file(&file);
+        let mut warnings = Warnings::of_file(&file);
         let bytes = crate::three_mf::scene_to_bytes(scene, &mut warnings);
         let bytes = bytes.map_err(|refusal| refusal.in_file(&file, format))?;
-        let bytes = if path.is_some() { crate::write::packed_for_name(bytes, &file)? } else { bytes };
+        let bytes = if path.is_some() { packed_for_name(bytes, &file)? } else { bytes };
         return Ok(EncodedMesh { bytes, warnings: warnings.into_list(), ..EncodedMesh::default() });
     }
     SceneWriter::new(scene).encode(format, options, path)

@@ -3,18 +3,12 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::path::Path;
 
 use serde_json::Value;
 
 use super::Scene;
-use crate::encoded::can_have_companions;
 use crate::error::Refusal;
-use crate::gltf::{Container, has_triangles, scene_to_bytes};
-use crate::image_files::ImageFiles;
-use crate::report::Warnings;
-use crate::write::packed_for_name;
-use crate::{EncodedMesh, Format, WriteError, WriteOptions};
+use crate::gltf::has_triangles;
 
 /// Triangles of a glTF mesh over the vertices of another one.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -90,41 +84,5 @@ impl<'a> SceneWriter<'a> {
     pub fn with_attachment(mut self, pointer: impl Into<String>, bytes: impl Into<Cow<'a, [u8]>>) -> Self {
         self.attachments.push((pointer.into(), bytes.into()));
         self
-    }
-
-    /// Encodes the file as glTF with everything embedded, or as GLB.
-    ///
-    /// # Errors
-    /// [`WriteError`] if the format is another one, a mesh contains numbers that glTF cannot store, a shared
-    /// mesh does not fit its vertices, or the file would be too large.
-    pub fn to_bytes(&self, format: Format, options: &WriteOptions) -> Result<Vec<u8>, WriteError> {
-        self.encode(format, options, None).map(|encoded| encoded.bytes)
-    }
-
-    /// Encodes the file at a path, like [`encode_scene`](crate::encode_scene): a `.gltf` with its buffer and images
-    /// in files next to it, unless [`WriteOptions::embed`] is set.
-    ///
-    /// # Errors
-    /// As [`to_bytes`](Self::to_bytes).
-    pub fn encode(
-        &self,
-        format: Format,
-        options: &WriteOptions,
-        path: Option<&Path>,
-    ) -> Result<EncodedMesh, WriteError> {
-        let file = path.map_or_else(|| format.to_string(), |path| path.display().to_string());
-        let mut warnings = Warnings::of_file(&file);
-        let beside = path.filter(|path| can_have_companions(path));
-        let mut images = ImageFiles::new(self.scene.images(), beside);
-        let bytes = match format {
-            Format::Gltf | Format::Glb => {
-                let container = Container::new(format, options, beside, (&mut images, &mut warnings));
-                scene_to_bytes(self, options, container)
-            }
-            _ => Err(Refusal::Unsupported("the format has no scenes".to_owned())),
-        };
-        let bytes = bytes.map_err(|refusal| refusal.in_file(&file, format))?;
-        let bytes = if path.is_some() { packed_for_name(bytes, &file)? } else { bytes };
-        Ok(EncodedMesh { bytes, companions: images.into_files(), warnings: warnings.into_list() })
     }
 }

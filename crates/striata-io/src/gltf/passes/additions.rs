@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use serde_json::{Value, json};
 
 use super::elements::Elements;
-use super::{GltfParts, array_length, push_entries};
+use super::parts::{GltfParts, array_length, push_entries};
 
 pub(super) const ARRAY_BUFFER: u32 = 34962;
 pub(super) const ELEMENT_ARRAY_BUFFER: u32 = 34963;

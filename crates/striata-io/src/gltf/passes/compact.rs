@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use serde_json::{Value, json};
 
 use super::additions::{remove, set_offset};
-use super::{GltfParts, array_length, entries, entries_mut, index, index_at};
+use super::parts::{GltfParts, array_length, entries, entries_mut, index, index_at};
 use crate::gltf::extensions::are_all_known;
 use crate::gltf::references::{Referent, for_each, for_each_view};
 

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::entries;
+use super::parts::entries;
 
 /// Extensions of primitives that do not depend on the values of attributes.
 const FREE_OF_VALUES: [&str; 3] = ["KHR_materials_variants", "EXT_mesh_features", "EXT_structural_metadata"];
@@ -25,7 +25,7 @@ pub(super) fn are_free_of_order(extensions: &[String]) -> bool {
 pub(super) fn require(root: &mut Value, extension: &str) {
     for key in ["extensionsUsed", "extensionsRequired"] {
         if !entries(root, key).iter().any(|name| name == extension) {
-            super::push_entries(root, key, vec![json!(extension)]);
+            super::parts::push_entries(root, key, vec![json!(extension)]);
         }
     }
 }

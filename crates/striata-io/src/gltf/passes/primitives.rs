@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::{entries, index};
+use super::parts::{entries, index};
 
 pub(super) const TRIANGLES: u64 = 4;
 

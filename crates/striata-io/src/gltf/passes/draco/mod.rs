@@ -13,7 +13,7 @@
 #[cfg(feature = "draco")]
 mod encode;
 
-use super::GltfParts;
+use super::parts::GltfParts;
 use crate::QuantizeOptions;
 
 /// Compresses a document; without `quantization`, floats are kept exactly.
@@ -28,9 +28,11 @@ pub(in crate::gltf) fn draco(parts: &mut GltfParts, quantization: Option<&Quanti
     use serde_json::json;
 
     use super::additions::{Additions, plain_view};
+    use super::compact::compact;
+    use super::extensions;
+    use super::parts::open;
     use super::primitives::{TRIANGLES, primitives};
-    use super::quantize::grid::grids;
-    use super::{compact, extensions, open};
+    use super::quantize::shared_grids::grids;
 
     const EXTENSION: &str = "KHR_draco_mesh_compression";
 
@@ -39,8 +41,7 @@ pub(in crate::gltf) fn draco(parts: &mut GltfParts, quantization: Option<&Quanti
     let mut additions = Additions::new(&snapshot);
     let (mut known, mut replaced) = (BTreeMap::new(), BTreeSet::new());
     let (primitives, are_read) = primitives(&snapshot);
-    let grids = quantization
-        .map(|options| grids(&document, &primitives, &are_read, (options.position_bits, options.grid)));
+    let grids = quantization.map(|options| grids(&document, &primitives, &are_read, options));
     for primitive in &primitives {
         let is_free = extensions::are_free_of_order(&primitive.extensions);
         if !primitive.has_triangles() || !primitive.targets.is_empty() || !is_free {

@@ -14,7 +14,7 @@ use crate::gltf::component_type::ComponentType;
 use crate::gltf::document::Document;
 use crate::gltf::passes::additions::{Additions, Shelf, ViewKind, describe, plain_view, remove};
 use crate::gltf::passes::elements::Elements;
-use crate::gltf::passes::{GltfParts, array_length, entries_mut, push_entries};
+use crate::gltf::passes::parts::{GltfParts, array_length, entries_mut, push_entries};
 
 pub(super) const EXTENSION: &str = "EXT_meshopt_compression";
 

@@ -18,7 +18,7 @@ mod order;
 #[cfg(feature = "meshopt")]
 mod roles;
 
-use super::GltfParts;
+use super::parts::GltfParts;
 use crate::QuantizeOptions;
 
 /// Compresses a document; `quantization` says how normals were quantized before.
@@ -29,8 +29,10 @@ pub(in crate::gltf) fn meshopt(_: &mut GltfParts, _: Option<&QuantizeOptions>) {
 #[cfg(feature = "meshopt")]
 pub(in crate::gltf) fn meshopt(parts: &mut GltfParts, quantization: Option<&QuantizeOptions>) {
     use super::additions::Additions;
+    use super::compact::compact;
+    use super::extensions;
+    use super::parts::open;
     use super::primitives::primitives;
-    use super::{compact, extensions, open};
 
     let snapshot = parts.root.clone();
     let document = open(&snapshot, &parts.binary);

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use serde_json::Value;
 
 use crate::gltf::extensions::are_all_known;
+use crate::gltf::passes::parts::{entries, index, index_at};
 use crate::gltf::passes::primitives::{Primitive, TRIANGLES};
-use crate::gltf::passes::{entries, index, index_at};
 use crate::gltf::references::{Referent, for_each};
 
 /// Use of an accessor.

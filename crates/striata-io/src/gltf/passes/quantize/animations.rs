@@ -15,7 +15,7 @@ use crate::gltf::component_type::ComponentType;
 use crate::gltf::document::Document;
 use crate::gltf::passes::additions::ViewKind;
 use crate::gltf::passes::elements::Elements;
-use crate::gltf::passes::{entries, index, index_at};
+use crate::gltf::passes::parts::{entries, index, index_at};
 use crate::gltf::references::{Referent, for_each};
 
 /// Times are rounded to 1/4096 s.

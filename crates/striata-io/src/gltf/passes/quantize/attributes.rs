@@ -12,8 +12,8 @@ use crate::gltf::component_type::ComponentType;
 use crate::gltf::document::Document;
 use crate::gltf::passes::additions::ViewKind;
 use crate::gltf::passes::elements::Elements;
-use crate::gltf::passes::entries_mut;
 use crate::gltf::passes::extensions::are_free_of_values;
+use crate::gltf::passes::parts::entries_mut;
 use crate::gltf::passes::primitives::Primitive;
 
 /// How numbers are converted.

@@ -1,15 +1,8 @@
 //! Grids of positions.
 
-use std::collections::BTreeMap;
-
-use super::shared_grids::share;
-use crate::GridScope;
-use crate::contacts::Sets;
 use crate::gltf::accessor::accessor;
 use crate::gltf::component_type::ComponentType;
 use crate::gltf::document::Document;
-use crate::gltf::passes::extensions::are_free_of_values;
-use crate::gltf::passes::primitives::Primitive;
 
 /// Grid that positions are rounded to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,42 +49,6 @@ impl Grids {
     }
 }
 
-/// Finds meshes that share positions, and a grid for each set of them.
-pub(in crate::gltf::passes) fn grids(
-    document: &Document<'_>,
-    primitives: &[Primitive],
-    are_read: &[bool],
-    (bits, scope): (u32, GridScope),
-) -> Grids {
-    let mut sets = Sets::new(are_read.len());
-    let mut owners = BTreeMap::new();
-    for primitive in primitives {
-        let targets = primitive.targets.iter().flatten();
-        let positions = primitive.attributes.iter().chain(targets).filter(|(name, _)| name == "POSITION");
-        for &(_, accessor) in positions {
-            let &mut owner = owners.entry(accessor).or_insert(primitive.mesh);
-            sets.join(owner, primitive.mesh);
-        }
-    }
-    let of_mesh: Vec<usize> = (0..are_read.len()).map(|mesh| sets.find(mesh)).collect();
-    let mut boxes: Vec<Option<Box3>> = are_read.iter().map(|_| Some(Box3::EMPTY)).collect();
-    for (mesh, _) in are_read.iter().enumerate().filter(|&(_, is_read)| !is_read) {
-        boxes[of_mesh[mesh]] = None;
-    }
-    let mut known = BTreeMap::new();
-    for primitive in primitives {
-        let set = of_mesh[primitive.mesh];
-        let of_primitive =
-            primitive.attribute("POSITION").filter(|_| are_free_of_values(&primitive.extensions));
-        let of_primitive = of_primitive
-            .and_then(|accessor| *known.entry(accessor).or_insert_with(|| bounding_box(document, accessor)));
-        boxes[set] = boxes[set].zip(of_primitive).map(|(a, b)| a.joined(b));
-    }
-    let mut grids: Vec<Option<Grid>> = boxes.iter().map(|bounds| bounds.as_ref()?.grid(bits)).collect();
-    share(document, (primitives, &of_mesh), (&mut grids, &boxes), scope);
-    Grids { grids, of_mesh }
-}
-
 /// Axis-aligned box.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Box3 {
@@ -100,9 +57,9 @@ pub(super) struct Box3 {
 }
 
 impl Box3 {
-    const EMPTY: Self = Self { min: [f32::INFINITY; 3], max: [f32::NEG_INFINITY; 3] };
+    pub(super) const EMPTY: Self = Self { min: [f32::INFINITY; 3], max: [f32::NEG_INFINITY; 3] };
 
-    fn joined(self, other: Self) -> Self {
+    pub(super) fn joined(self, other: Self) -> Self {
         let axes = [0, 1, 2];
         Self {
             min: axes.map(|i| self.min[i].min(other.min[i])),
@@ -117,7 +74,7 @@ impl Box3 {
     }
 
     /// Returns the grid that covers the box; [`None`] if it is empty or its size exceeds all numbers.
-    fn grid(&self, bits: u32) -> Option<Grid> {
+    pub(super) fn grid(&self, bits: u32) -> Option<Grid> {
         let last = (1u32 << bits.clamp(1, 16)) - 1;
         let side = self.side();
         if !self.min[0].is_finite() || !side.is_finite() {
@@ -146,7 +103,7 @@ pub(super) fn positions_of(document: &Document<'_>, index: u64) -> Option<Vec<f3
 }
 
 /// Returns the bounding box of positions; [`None`] if they are not finite floats.
-fn bounding_box(document: &Document<'_>, index: u64) -> Option<Box3> {
+pub(super) fn bounding_box(document: &Document<'_>, index: u64) -> Option<Box3> {
     let numbers = positions_of(document, index)?;
     let points = numbers.as_chunks::<3>().0.iter();
     Some(points.fold(Box3::EMPTY, |bounds, &point| bounds.joined(Box3 { min: point, max: point })))

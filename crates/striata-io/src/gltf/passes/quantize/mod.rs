@@ -17,9 +17,9 @@
 mod animations;
 mod attributes;
 mod convert;
-pub(super) mod grid;
+mod grid;
 mod placement;
-mod shared_grids;
+pub(super) mod shared_grids;
 mod skins;
 mod transforms;
 
@@ -28,8 +28,10 @@ use std::collections::BTreeSet;
 use serde_json::Value;
 
 use super::additions::{Additions, plain_view};
+use super::compact::compact;
+use super::extensions;
+use super::parts::{GltfParts, open};
 use super::primitives::primitives;
-use super::{GltfParts, compact, extensions, open};
 use crate::QuantizeOptions;
 
 const EXTENSION: &str = "KHR_mesh_quantization";
@@ -62,7 +64,7 @@ pub(in crate::gltf) fn quantize(parts: &mut GltfParts, options: &QuantizeOptions
     let additions = Additions::new(&snapshot);
     let mut changes =
         Changes { root: &mut parts.root, additions, replaced: BTreeSet::new(), needs_extension: false };
-    let mut grids = grid::grids(&document, &primitives, &are_read, (options.position_bits, options.grid));
+    let mut grids = shared_grids::grids(&document, &primitives, &are_read, options);
     let placements = placement::placements(&document, &mut grids);
     attributes::quantize((&document, &primitives), &grids, (options, texcoords), &mut changes);
     animations::quantize(&document, (options, texcoords), &mut changes);

@@ -20,7 +20,7 @@ use crate::gltf::document::Document;
 use crate::gltf::extensions::are_all_known;
 use crate::gltf::passes::additions::ViewKind;
 use crate::gltf::passes::elements::Elements;
-use crate::gltf::passes::{array_length, entries, entries_mut, index, index_at, push_entries};
+use crate::gltf::passes::parts::{array_length, entries, entries_mut, index, index_at, push_entries};
 
 const INSTANCING: &str = "/extensions/EXT_mesh_gpu_instancing/attributes";
 

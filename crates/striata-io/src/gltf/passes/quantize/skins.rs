@@ -12,7 +12,7 @@ use crate::gltf::component_type::ComponentType;
 use crate::gltf::document::Document;
 use crate::gltf::passes::additions::ViewKind;
 use crate::gltf::passes::elements::Elements;
-use crate::gltf::passes::{array_length, entries, entries_mut, index, index_at, push_entries};
+use crate::gltf::passes::parts::{array_length, entries, entries_mut, index, index_at, push_entries};
 
 /// Node that shows a quantized mesh with a skin.
 #[derive(Clone, Copy, Debug)]

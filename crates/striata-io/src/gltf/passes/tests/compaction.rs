@@ -7,7 +7,9 @@ use serde_json::{Value, json};
 use super::world::{assert_same, floats};
 use super::{Elements, GltfParts, Sketch, add_mesh, everything};
 use crate::QuantizeOptions;
-use crate::gltf::passes::{Texcoords, array_length, compact, entries, open, quantize};
+use crate::gltf::passes::compact::compact;
+use crate::gltf::passes::parts::{array_length, entries, open, push_entries};
+use crate::gltf::passes::{Texcoords, quantize};
 
 fn image_bytes(parts: &GltfParts) -> &[u8] {
     let view = parts.root["images"][0]["bufferView"].as_u64().unwrap() as usize;
@@ -57,8 +59,8 @@ fn slots_stay_if_an_unknown_extension_may_refer_to_them() {
     view["byteLength"] = json!(8);
     let mut slot = extra.root["accessors"][0].clone();
     slot["bufferView"] = json!(array_length(&parts.root, "bufferViews"));
-    super::push_entries(&mut parts.root, "bufferViews", vec![view]);
-    super::push_entries(&mut parts.root, "accessors", vec![slot]);
+    push_entries(&mut parts.root, "bufferViews", vec![view]);
+    push_entries(&mut parts.root, "accessors", vec![slot]);
     let before = parts.clone();
     quantize(&mut parts, &QuantizeOptions::default(), Texcoords::Integers);
     let slots = entries(&parts.root, "accessors");
@@ -120,8 +122,8 @@ fn overlapping_views_keep_sharing_bytes() {
     let view = parts.root["bufferViews"][copy["bufferView"].as_u64().unwrap() as usize].clone();
     copy["bufferView"] = json!(array_length(&parts.root, "bufferViews"));
     let number = array_length(&parts.root, "accessors");
-    super::push_entries(&mut parts.root, "bufferViews", vec![view]);
-    super::push_entries(&mut parts.root, "accessors", vec![copy]);
+    push_entries(&mut parts.root, "bufferViews", vec![view]);
+    push_entries(&mut parts.root, "accessors", vec![copy]);
     parts.root["meshes"][0]["primitives"][0]["attributes"]["_COPY"] = json!(number);
     let before = parts.clone();
     compact(&mut parts, &BTreeSet::new());

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use super::world::{assert_same, floats};
 use super::{Elements, GltfParts, Sketch, add_mesh, everything, sheet, sheet_triangles};
 use crate::gltf::accessor::accessor;
-use crate::gltf::passes::{entries, index, open};
+use crate::gltf::passes::parts::{entries, index, open};
 use crate::{QuantizeOptions, WriteOptions};
 
 fn applied(parts: &GltfParts, options: &WriteOptions) -> GltfParts {

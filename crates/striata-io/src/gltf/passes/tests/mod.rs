@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use super::additions::{Additions, ViewKind, plain_view};
 use super::elements::Elements;
-use super::{GltfParts, push_entries};
+use super::parts::{GltfParts, push_entries};
 use crate::gltf::component_type::ComponentType;
 
 /// Side of the sheet in squares.
@@ -63,7 +63,7 @@ impl Sketch {
 
     fn add(&mut self, array: &str, value: Value) -> usize {
         push_entries(&mut self.parts.root, array, vec![value]);
-        super::array_length(&self.parts.root, array) - 1
+        super::parts::array_length(&self.parts.root, array) - 1
     }
 
     /// Adds a node at the root of the scene.

@@ -7,7 +7,8 @@ use super::{Elements, Sketch, add_mesh, everything, sheet, sheet_triangles};
 use crate::QuantizeOptions;
 use crate::gltf::accessor::accessor;
 use crate::gltf::component_type::ComponentType;
-use crate::gltf::passes::{GltfParts, Texcoords, array_length, entries, index, open, quantize};
+use crate::gltf::passes::parts::{GltfParts, array_length, entries, index, open};
+use crate::gltf::passes::{Texcoords, quantize};
 
 fn quantized(parts: &GltfParts) -> GltfParts {
     let mut out = parts.clone();

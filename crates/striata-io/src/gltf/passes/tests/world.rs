@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use crate::gltf::accessor::accessor;
 use crate::gltf::document::Document;
-use crate::gltf::passes::{GltfParts, entries, index, index_at, open};
+use crate::gltf::passes::parts::{GltfParts, entries, index, index_at, open};
 
 /// Reads an accessor as floats.
 pub(super) fn floats(document: &Document<'_>, index: u64) -> Vec<f32> {
