@@ -4,7 +4,7 @@ use serde_json::Value;
 use striata_io::Scene;
 
 use super::json::{extension, number, numbers};
-use super::specular_glossiness::read_specular_glossiness;
+use super::specular_glossiness::{Reflection, read_specular_glossiness};
 use super::texture_use::{TextureReader, TextureUse};
 use crate::document::entries;
 
@@ -116,7 +116,7 @@ fn read(material: &Value, textures: &TextureReader<'_>) -> Material {
     let strength = extension(material, "KHR_materials_emissive_strength");
     let strength = strength.and_then(|strength| number(strength, "emissiveStrength")).unwrap_or(1.0).max(0.0);
     let emissive: [f32; 3] = numbers(material, "emissiveFactor").unwrap_or([0.0; 3]);
-    let mut found = Material {
+    let found = Material {
         name: of("name").as_str().unwrap_or_default().to_owned(),
         base_color: numbers(pbr, "baseColorFactor").unwrap_or([1.0; 4]).map(|x: f32| x.clamp(0.0, 1.0)),
         base_color_texture: textures.read(pbr, "baseColorTexture"),
@@ -138,7 +138,17 @@ fn read(material: &Value, textures: &TextureReader<'_>) -> Material {
         is_unlit: extension(material, "KHR_materials_unlit").is_some(),
     };
     if let Some(other) = extension(material, "KHR_materials_pbrSpecularGlossiness") {
-        read_specular_glossiness(other, textures, &mut found);
+        let Reflection { base_color, base_color_texture, metallic, roughness } =
+            read_specular_glossiness(other, textures);
+        let metallic_roughness_texture = None;
+        return Material {
+            base_color,
+            base_color_texture,
+            metallic,
+            roughness,
+            metallic_roughness_texture,
+            ..found
+        };
     }
     found
 }

@@ -2,9 +2,8 @@
 
 use serde_json::Value;
 
-use super::Material;
 use super::json::{number, numbers};
-use super::texture_use::TextureReader;
+use super::texture_use::{TextureReader, TextureUse};
 
 /// Reflectance of a dielectric at normal incidence.
 const DIELECTRIC: f32 = 0.04;
@@ -12,31 +11,38 @@ const DIELECTRIC: f32 = 0.04;
 /// Roughness of a material whose glossiness is in the alpha channel of an image.
 const TEXTURED_ROUGHNESS: f32 = 0.6;
 
-/// Replaces the reflection of a material.
+/// A reflection as metallic-roughness describes it.
+#[derive(Clone, Debug)]
+pub(super) struct Reflection {
+    pub base_color: [f32; 4],
+    pub base_color_texture: Option<TextureUse>,
+    pub metallic: f32,
+    pub roughness: f32,
+}
+
+/// Reads the reflection of a material.
 ///
 /// The diffuse color becomes the base color. A material without an image of its reflection becomes a metal
 /// as far as it reflects more than a dielectric would; its base color then is that of the reflection.
-pub(super) fn read_specular_glossiness(value: &Value, textures: &TextureReader<'_>, material: &mut Material) {
+pub(super) fn read_specular_glossiness(value: &Value, textures: &TextureReader<'_>) -> Reflection {
     let unit = |x: f32| x.clamp(0.0, 1.0);
     let diffuse: [f32; 4] = numbers(value, "diffuseFactor").unwrap_or([1.0; 4]).map(unit);
     let specular: [f32; 3] = numbers(value, "specularFactor").unwrap_or([1.0; 3]).map(unit);
-    material.base_color_texture = textures.read(value, "diffuseTexture");
-    material.metallic_roughness_texture = None;
+    let base_color_texture = textures.read(value, "diffuseTexture");
     if textures.read(value, "specularGlossinessTexture").is_some() {
-        (material.metallic, material.roughness) = (0.0, TEXTURED_ROUGHNESS);
-        material.base_color = diffuse;
-        return;
+        let (metallic, roughness) = (0.0, TEXTURED_ROUGHNESS);
+        return Reflection { base_color: diffuse, base_color_texture, metallic, roughness };
     }
-    material.roughness = 1.0 - unit(number(value, "glossinessFactor").unwrap_or(1.0));
+    let roughness = 1.0 - unit(number(value, "glossinessFactor").unwrap_or(1.0));
     let strongest = specular.into_iter().fold(0.0, f32::max);
-    let is_textured = material.base_color_texture.is_some();
+    let is_textured = base_color_texture.is_some();
     let metallic = if is_textured { 0.0 } else { metallic_of(brightest(diffuse), strongest) };
-    material.metallic = metallic;
     let color = |k: usize| {
         let of_diffuse = diffuse[k] / (1.0 - DIELECTRIC) * (1.0 - strongest);
         unit(of_diffuse + metallic * metallic * (specular[k] - of_diffuse))
     };
-    material.base_color = if is_textured { diffuse } else { [color(0), color(1), color(2), diffuse[3]] };
+    let base_color = if is_textured { diffuse } else { [color(0), color(1), color(2), diffuse[3]] };
+    Reflection { base_color, base_color_texture, metallic, roughness }
 }
 
 fn brightest([r, g, b, _]: [f32; 4]) -> f32 {
@@ -62,11 +68,9 @@ mod tests {
 
     use super::*;
 
-    fn read(value: &Value) -> Material {
+    fn read(value: &Value) -> Reflection {
         let document = Value::Null;
-        let mut material = Material::default();
-        read_specular_glossiness(value, &TextureReader { document: &document, images: &[] }, &mut material);
-        material
+        read_specular_glossiness(value, &TextureReader { document: &document, images: &[] })
     }
 
     #[test]

@@ -29,7 +29,7 @@ use crate::document::{array, use_extension};
 use crate::levels::SceneLevel;
 use crate::lod_scene::LodScene;
 use coverage::coverage;
-use nodes::ChainNodes;
+use nodes::{ChainLevel, ChainNodes};
 
 /// Options of [`lod_chain`].
 #[derive(Clone, Debug, PartialEq)]
@@ -78,14 +78,6 @@ impl LodChainOptions {
     }
 }
 
-/// A coarser level of a mesh in the file.
-struct ChainLevel {
-    /// Entry of `meshes`; [`None`] if the level shows nothing.
-    mesh: Option<usize>,
-    /// Largest screen coverage at which it is shown.
-    coverage: f64,
-}
-
 /// Writes the full scene together with coarser levels, as glTF with the extension `MSFT_lod`.
 ///
 /// The levels may be given in any order; a mesh for which several of them are equal, or equal to the full
@@ -121,7 +113,10 @@ pub fn lod_chain(
                 parts.meshes.resize(entry + 1, None);
             }
             let radius = lod.mesh().diagonal() / 2.0;
-            chain.push(ChainLevel { mesh: entry, coverage: coverage(level.error().into(), radius, options) });
+            chain.push(ChainLevel {
+                mesh: entry,
+                coverage: coverage(radius * options.error_px / f64::from(level.error()), options.viewport_px),
+            });
         }
         chains.push(chain);
     }

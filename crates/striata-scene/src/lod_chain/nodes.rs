@@ -4,8 +4,15 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::{Map, Value, json};
 
-use super::ChainLevel;
 use crate::document::{array, extension_slot};
+
+/// A coarser level of a mesh in the file.
+pub(super) struct ChainLevel {
+    /// Entry of `meshes`; [`None`] if the level shows nothing.
+    pub mesh: Option<usize>,
+    /// Largest screen coverage at which it is shown.
+    pub coverage: f64,
+}
 
 /// Name of the extension.
 pub(super) const EXTENSION: &str = "MSFT_lod";

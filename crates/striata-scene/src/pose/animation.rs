@@ -6,9 +6,8 @@ use glam::DQuat;
 use serde_json::Value;
 use striata_io::SceneError;
 
-use super::index;
 use super::interpolation::{along_arc, cubic};
-use super::numbers::AccessorNumbers;
+use super::numbers::{AccessorNumbers, index};
 use crate::document::entries;
 
 /// Property of a node that a channel changes.

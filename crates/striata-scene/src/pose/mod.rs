@@ -17,7 +17,7 @@ use striata::mesh::{IndexedMesh, Semantic};
 use striata_io::{Scene, SceneError, SceneInstance};
 
 use self::animation::{Animation, Property};
-use self::numbers::AccessorNumbers;
+use self::numbers::{AccessorNumbers, index, transformed};
 use self::skin::Skin;
 pub(crate) use self::skin::VertexJoints;
 use crate::document::entries;
@@ -236,10 +236,6 @@ impl Pose {
     }
 }
 
-fn transformed(matrix: &DMat4, position: [f32; 3]) -> [f32; 3] {
-    matrix.transform_point3(DVec3::from_array(position.map(f64::from))).as_vec3().to_array()
-}
-
 impl Node {
     fn read(node: &Value, meshes: &[MeshTargets]) -> Self {
         let mesh = node.get("mesh").and_then(index).and_then(|mesh| meshes.get(mesh));
@@ -313,10 +309,6 @@ fn parents_first(nodes: &[Node]) -> Vec<usize> {
         next += 1;
     }
     order
-}
-
-fn index(value: &Value) -> Option<usize> {
-    usize::try_from(value.as_u64()?).ok()
 }
 
 fn numbers(value: Option<&Value>) -> Vec<f64> {

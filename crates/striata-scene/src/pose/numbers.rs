@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use glam::{DMat4, DVec3};
+use serde_json::Value;
 use striata_io::{Place, Scene, SceneError};
 
 /// Numbers that may be read regardless of the size of the buffer.
@@ -44,4 +46,14 @@ impl<'s> AccessorNumbers<'s> {
         self.known.insert(accessor, numbers.clone());
         Ok(numbers)
     }
+}
+
+/// Returns a reference to an entry of an array, if it is one.
+pub(super) fn index(value: &Value) -> Option<usize> {
+    usize::try_from(value.as_u64()?).ok()
+}
+
+/// Transforms a position in double precision.
+pub(super) fn transformed(matrix: &DMat4, position: [f32; 3]) -> [f32; 3] {
+    matrix.transform_point3(DVec3::from_array(position.map(f64::from))).as_vec3().to_array()
 }

@@ -5,8 +5,7 @@ use serde_json::Value;
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 use striata_io::SceneError;
 
-use super::numbers::AccessorNumbers;
-use super::{index, transformed};
+use super::numbers::{AccessorNumbers, index, transformed};
 use crate::document::entries;
 
 /// Joints of a skin, with the matrices from the mesh to each joint in its bind pose.

@@ -7,7 +7,7 @@ use striata::simplify::{BatchOptions, BuiltBatches, SimplifyError};
 use striata::{Cancelled, Progress, ProgressFn, ignore_progress};
 use striata_io::Scene;
 use striata_stream::{
-    ChunkInfo, Precision, SHAPE_STEPS, StreamError, StreamInfo, StreamOptions, encode_stream_with_progress,
+    Precision, SHAPE_STEPS, StreamError, StreamInfo, StreamOptions, encode_stream_with_progress,
 };
 
 use super::SceneStreamOptions;
@@ -16,10 +16,10 @@ use super::buffer::{pack, parts_of};
 use super::error::SceneEncodeError;
 use super::head::{MeshEntry, SceneHead};
 use super::images::prepare;
-use super::layout::Body;
+use super::layout::{Body, SceneStreamSizes};
+use super::mesh_stream::MeshStream;
 use super::packet::{HEADER_BYTES, PacketKind, begin, end, put_packet};
 use super::precision::{MeshPrecision, longest_side, mesh_precisions, scene_tolerance};
-use super::schedule::MeshCosts;
 use crate::copies::Copies;
 use crate::mesh_simplifier::{MeshSimplifier, stage};
 
@@ -31,30 +31,6 @@ pub struct EncodedScene {
     pub bytes: Vec<u8>,
     /// Bytes of each part of the stream.
     pub sizes: SceneStreamSizes,
-}
-
-/// Bytes of each part of a stream; together they are the whole stream.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct SceneStreamSizes {
-    /// Document and table.
-    pub document_bytes: usize,
-    /// Base meshes, with the headers of their streams.
-    pub base_bytes: usize,
-    /// Refinement of the meshes.
-    pub refinement_bytes: usize,
-    /// Animations, skins, points and lines.
-    pub buffer_bytes: usize,
-    /// Previews of images.
-    pub preview_bytes: usize,
-    /// Images.
-    pub image_bytes: usize,
-    /// Header of the stream, and headers of the packets.
-    pub packet_bytes: usize,
-    /// Length of the prefix that shows every mesh.
-    pub drawable_at: usize,
-    /// Length of the prefix that shows every mesh, with previews of all images.
-    pub textured_at: usize,
 }
 
 /// Encodes a scene as a progressive stream.
@@ -150,41 +126,6 @@ fn check_length(what: &'static str, length: usize) -> Result<(), SceneEncodeErro
     match u32::try_from(length) {
         Ok(_) => Ok(()),
         Err(_) => Err(SceneEncodeError::TooLong { what, length }),
-    }
-}
-
-/// The stream of a mesh.
-pub(super) struct MeshStream {
-    pub bytes: Vec<u8>,
-    pub info: StreamInfo,
-    /// Factor from mesh units to scene units, 0 if the mesh is not shown.
-    scale: f64,
-}
-
-impl MeshStream {
-    fn entry(&self) -> MeshEntry {
-        MeshEntry {
-            bytes: self.bytes.len() as u64,
-            vertex_count: self.info.vertex_count as u32,
-            triangle_count: self.info.triangle_count as u32,
-            step_count: self.info.step_count as u32,
-            group_count: self.info.group_count as u32,
-            error: self.info.error_max,
-            scale: self.scale,
-        }
-    }
-
-    /// Chunks after the one that contains the base.
-    pub(super) fn refinement(&self) -> &[ChunkInfo] {
-        self.info.chunks.get(1..).unwrap_or(&[])
-    }
-
-    /// Returns the bytes of each chunk of its refinement, and the error before it.
-    pub(super) fn costs(&self) -> MeshCosts {
-        MeshCosts {
-            bytes: self.refinement().iter().map(|chunk| chunk.bytes).collect(),
-            errors: self.refinement().iter().map(|chunk| f64::from(chunk.error) * self.scale).collect(),
-        }
     }
 }
 

@@ -2,9 +2,9 @@
 
 use striata_io::Scene;
 
-use super::encode::{MeshStream, SceneStreamSizes};
 use super::head::PART_COUNT;
 use super::images::PreparedImage;
+use super::mesh_stream::MeshStream;
 use super::packet::{PacketKind, put_packet};
 use super::schedule::{ANIMATION_ERROR, Item, MeshCosts, WholeCosts, schedule};
 
@@ -14,6 +14,30 @@ const JOINED_BYTES: usize = 8192;
 
 /// Largest piece of an image, bytes.
 const IMAGE_PIECE_BYTES: usize = 1 << 16;
+
+/// Bytes of each part of a stream; together they are the whole stream.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct SceneStreamSizes {
+    /// Document and table.
+    pub document_bytes: usize,
+    /// Base meshes, with the headers of their streams.
+    pub base_bytes: usize,
+    /// Refinement of the meshes.
+    pub refinement_bytes: usize,
+    /// Animations, skins, points and lines.
+    pub buffer_bytes: usize,
+    /// Previews of images.
+    pub preview_bytes: usize,
+    /// Images.
+    pub image_bytes: usize,
+    /// Header of the stream, and headers of the packets.
+    pub packet_bytes: usize,
+    /// Length of the prefix that shows every mesh.
+    pub drawable_at: usize,
+    /// Length of the prefix that shows every mesh, with previews of all images.
+    pub textured_at: usize,
+}
 
 /// Packets in the order of the stream, with a count of what they contain.
 #[derive(Default)]
