@@ -1,6 +1,7 @@
 //! Reading and writing of small sections that mix numbers and texts.
 
-use super::{DecodeError, EncodeError, SectionKind};
+use super::error::{DecodeError, EncodeError};
+use super::section_kind::SectionKind;
 
 /// Reads numbers and texts from a section; checks every length against the bytes that remain.
 pub(super) struct ByteReader<'a> {

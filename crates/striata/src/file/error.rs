@@ -1,6 +1,6 @@
 //! Errors of reading and writing `.striata` files.
 
-use super::SectionKind;
+use super::section_kind::SectionKind;
 use crate::mesh::{MeshError, SequenceError};
 use crate::model::{ModelError, ModelKind};
 use crate::strip::StripSetError;

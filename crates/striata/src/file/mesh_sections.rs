@@ -1,7 +1,8 @@
 //! Encoding of attribute layers, groups, appearance and metadata.
 
 use super::byte_reader::{ByteReader, put_block, put_texts, put_u32};
-use super::{DecodeError, EncodeError, SectionKind};
+use super::error::{DecodeError, EncodeError};
+use super::section_kind::SectionKind;
 use crate::mesh::{
     Appearance, AttributeLayer, ColorSpace, Image, LayerData, Material, Semantic, TriangleGroup,
 };

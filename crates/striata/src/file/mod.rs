@@ -22,17 +22,19 @@ mod error;
 mod file_head;
 mod mesh_sections;
 mod reader;
+mod section_kind;
 mod stream;
 mod summary;
 mod writer;
 
-pub use container::{Container, SectionInfo, SectionKind, VERSION as FORMAT_VERSION, Verify};
+pub use container::{Container, SectionInfo, VERSION as FORMAT_VERSION, Verify};
 pub use error::{DecodeError, EncodeError};
 pub use file_head::FileHead;
 pub use mesh_sections::{
     SemanticCode, appearance_from_bytes, appearance_to_bytes, metadata_to_bytes, semantic_code, semantic_of,
 };
 pub use reader::StriataFile;
+pub use section_kind::SectionKind;
 pub use stream::{SCENE_STREAM_MAGIC, STREAM_MAGIC, StoredStream, StreamCodec, StreamHead, StreamMesh};
 pub use summary::Summary;
 pub use writer::{

@@ -328,3 +328,8 @@ impl AttributeLayer {
         Self { semantic: self.semantic.clone(), data, ..*self }
     }
 }
+
+/// Selects and reorders rows of layers: row `i` of the result is row `order[i]`.
+pub(crate) fn gather_layers(layers: &[AttributeLayer], order: &[u32]) -> Vec<AttributeLayer> {
+    layers.iter().map(|layer| layer.gather(order)).collect()
+}

@@ -32,6 +32,7 @@ mod weld;
 
 pub use adjacency::{Adjacency, Edge, is_proper};
 pub use appearance::{Appearance, ColorSpace, Image, Material};
+pub(crate) use attributes::gather_layers;
 pub use attributes::{AttributeLayer, LayerData, Semantic};
 pub(crate) use box_tree::{AxisBox, BoxTree};
 pub use defect::{Defect, DefectKind};
@@ -57,7 +58,6 @@ pub use sequence_error::SequenceError;
 pub use statistics::Statistics;
 pub use steps::Steps;
 pub use surface_samples::{SurfaceSample, SurfaceSamples};
-pub(crate) use triangle_data::gather_layers;
 pub use triangle_data::{layers_from_sorted, level_sources, nearest_sources, sorted_triangle_order};
 pub use triangle_tree::{Nearest, TriangleTree};
 pub use validate::{MAX_LISTED_PER_KIND, Report, validate};

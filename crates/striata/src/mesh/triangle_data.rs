@@ -10,15 +10,10 @@
 
 use glam::DVec3;
 
-use super::{AttributeLayer, IndexedMesh, TriangleTree, canonical_triangle};
+use super::{AttributeLayer, IndexedMesh, TriangleTree, canonical_triangle, gather_layers};
 
 /// Group of a triangle and its corners, the smallest first.
 type Key = (u32, [u32; 3]);
-
-/// Selects and reorders rows of layers: row `i` of the result is row `order[i]`.
-pub(crate) fn gather_layers(layers: &[AttributeLayer], order: &[u32]) -> Vec<AttributeLayer> {
-    layers.iter().map(|layer| layer.gather(order)).collect()
-}
 
 /// Group of each triangle.
 fn groups_of(mesh: &IndexedMesh) -> Vec<u32> {

@@ -4,7 +4,7 @@
 //! weight is that of a Cauchy estimator, by a scale for each kind of layer.
 
 use super::corner_forms::CornerForm;
-use super::materials_of;
+use super::pairs::materials_of;
 use super::pairs::{Pair, Pairs};
 use crate::mesh::{Adjacency, AttributeLayer, IndexedMesh, LayerData, Semantic};
 

@@ -158,15 +158,6 @@ pub fn fit_level_with_progress(
     Ok(Simplified { mesh: fitted, error, ..level })
 }
 
-/// Material of each triangle plus one, 0 for none.
-fn materials_of(mesh: &IndexedMesh) -> Vec<u32> {
-    let mut materials = vec![0; mesh.triangles.len()];
-    for group in &mesh.groups {
-        materials[group.range()].fill(group.material.map_or(0, |material| material + 1));
-    }
-    materials
-}
-
 /// Moves the corners of some triangles back to where they were, and all vertices at the same positions.
 fn move_back(fitted: &mut IndexedMesh, level: &IndexedMesh, is_chosen: &[bool]) {
     let position_of = index_positions(&level.positions);

@@ -7,7 +7,6 @@
 
 use glam::DVec3;
 
-use super::materials_of;
 use super::surface::{Surface, SurfacePoint, share_along};
 use crate::mesh::{
     Adjacency, AttributeLayer, Edge, IndexedMesh, MeshError, Semantic, TriangleTree, index_positions,
@@ -325,4 +324,13 @@ impl Borders {
         }
         pairs
     }
+}
+
+/// Material of each triangle plus one, 0 for none.
+pub(super) fn materials_of(mesh: &IndexedMesh) -> Vec<u32> {
+    let mut materials = vec![0; mesh.triangles.len()];
+    for group in &mesh.groups {
+        materials[group.range()].fill(group.material.map_or(0, |material| material + 1));
+    }
+    materials
 }

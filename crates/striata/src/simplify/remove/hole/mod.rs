@@ -15,7 +15,6 @@ use glam::Vec3;
 use super::removal_options::MAX_DEGREE;
 use crate::simplify::collapse::fan::distance_squared;
 use crate::simplify::collapse::height_field::area;
-use search::HoleCost;
 
 /// An open ring has one more position than triangles.
 const MAX_RING: usize = MAX_DEGREE + 1;
@@ -41,6 +40,15 @@ pub(super) enum Features {
     Crease(usize, usize),
     /// Several feature edges meet at the vertex, or one ends there.
     Corner,
+}
+
+/// Cost of a part of a triangulation: a largest value, then a sum, which decides among equal ones. Costs
+/// that are not allowed are infinite in both.
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+struct HoleCost {
+    /// Largest squared distance; 0 unless the criterion asks for it.
+    largest: f32,
+    sum: f32,
 }
 
 /// One hole, prepared for the search; reused as scratch.

@@ -16,18 +16,9 @@
 //!
 //! Time O(n^3) for a ring of n; each triangle is evaluated once.
 
-use super::{Hole, RingTriangle, edges_squared, quality};
+use super::{Hole, HoleCost, RingTriangle, edges_squared, quality};
 use crate::simplify::remove::removal_options::HoleCriterion;
 use crate::simplify::remove::tracked_vertices::TrackedVertex;
-
-/// Cost of a part of a triangulation: a largest value, then a sum, which decides among equal ones. Costs
-/// that are not allowed are infinite in both.
-#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
-pub(super) struct HoleCost {
-    /// Largest squared distance; 0 unless the criterion asks for it.
-    largest: f32,
-    sum: f32,
-}
 
 impl HoleCost {
     const INFINITE: Self = Self { largest: f32::INFINITY, sum: f32::INFINITY };
