@@ -1,29 +1,18 @@
 //! A scene that is decoded from a stream: its document, images, and a [`Model`] for each mesh.
 
-use std::cell::RefCell;
 use std::rc::Rc;
 
-use striata_scene::stream::{ImageState, SceneStreamDecoder, SceneStreamInfo, SceneStreamUpdate};
+use striata_scene::stream::{ImageState, SceneStreamInfo, SceneStreamUpdate};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::model::Model;
+use crate::scene_parts::SharedScene;
 use crate::stream_source::StreamSource;
 use crate::streamed_model::StreamedModel;
 use crate::{Failure, limits};
 
 /// Maximum length of the first packet, bytes.
 const MAX_HEAD_BYTES: usize = 1 << 26;
-
-/// Decoder and changed triangles that the models of the meshes read.
-#[derive(Debug, Default)]
-pub(crate) struct SceneParts {
-    pub decoder: SceneStreamDecoder,
-    /// Triangles of each mesh that have changed, with duplicates.
-    pub changed: Vec<Vec<u32>>,
-}
-
-/// Parts of a scene, shared by the models of its meshes.
-pub(crate) type SharedScene = Rc<RefCell<SceneParts>>;
 
 /// A scene. [Push](Self::push) the bytes of its stream; the models of its [meshes](Self::mesh) then show what
 /// has arrived.

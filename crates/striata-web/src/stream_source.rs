@@ -3,7 +3,7 @@
 use striata_stream::StreamDecoder;
 
 use crate::Failure;
-use crate::scene_model::SharedScene;
+use crate::scene_parts::SharedScene;
 
 /// The decoder of one mesh.
 #[derive(Debug)]

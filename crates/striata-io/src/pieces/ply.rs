@@ -9,12 +9,13 @@ use super::ply_faces::{FaceOptions, FaceRuns, Run};
 use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary, ply_text};
 use crate::ReadError;
 use crate::error::{Fault, Place};
-use crate::ply::body::{Vertices, index_list, skip_element};
+use crate::ply::body::TextureProperties;
 use crate::ply::face_data::left_out;
-use crate::ply::face_textures::TextureProperties;
 use crate::ply::header::{Element, Encoding, Header};
+use crate::ply::lists::{index_list, skip_element};
 use crate::ply::rows::BinaryRows;
 use crate::ply::textures;
+use crate::ply::vertices::PlyVertices;
 use crate::repair::check_triangles;
 use crate::report::Warnings;
 use crate::texture_set::TextureSet;
@@ -225,7 +226,7 @@ impl VertexRows {
     }
 
     /// Wraps whole rows.
-    fn vertices<'r>(&self, rows: &'r [u8], header: &Header) -> Vertices<'r> {
+    fn vertices<'r>(&self, rows: &'r [u8], header: &Header) -> PlyVertices<'r> {
         let mut rows = Cow::Borrowed(rows);
         if self.is_big {
             for row in rows.to_mut().chunks_exact_mut(self.stride.max(1)) {
@@ -236,7 +237,7 @@ impl VertexRows {
                 }
             }
         }
-        Vertices::of_rows(&self.element, rows, header.has_top_origin)
+        PlyVertices::of_rows(&self.element, rows, header.has_top_origin)
     }
 }
 

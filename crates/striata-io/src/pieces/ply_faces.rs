@@ -5,9 +5,10 @@ use striata::mesh::AttributeLayer;
 use super::LayerKind;
 use super::local::localize;
 use crate::error::Fault;
-use crate::ply::body::{Faces, list_length, read_faces, skip_property};
+use crate::ply::body::{ReadFaces, read_faces};
 use crate::ply::face_data::FaceData;
 use crate::ply::header::{Element, Header, Property};
+use crate::ply::lists::{list_length, skip_property};
 use crate::ply::rows::{BinaryRows, Rows};
 
 /// Triangles of a run over its own vertices, with their data.
@@ -111,7 +112,7 @@ impl FaceRuns {
             }
         };
         let element = Element { count: face_count, ..self.element.clone() };
-        let mut faces = Faces::default();
+        let mut faces = ReadFaces::default();
         faces.data = FaceData::new(header, bytes.len());
         // Rows past the end would belong to the next run: a face that is too long is found there.
         let bytes = &bytes[..end];

@@ -5,9 +5,10 @@ use super::input::Input;
 use super::spool::Spool;
 use crate::ReadError;
 use crate::error::Fault;
-use crate::ply::body::{flipped_columns_of, index_list, list_length, skip_element, skip_property};
 use crate::ply::header::{Element, Header, Property, Scalar};
+use crate::ply::lists::{index_list, list_length, skip_element, skip_property};
 use crate::ply::rows::{AsciiRows, Rows as _};
+use crate::ply::vertices::flipped_columns_of;
 use crate::text::Cursor;
 
 /// Number of digits that are left for the number of triangles.

@@ -1,33 +1,21 @@
-//! Body of a PLY file: vertices as rows of bytes, faces and strips as triangles.
+//! Body of a PLY file: vertices as rows of bytes, faces and strips as triangles, with the textures of faces.
 
 use std::borrow::Cow;
-use std::collections::BTreeSet;
 
-use striata::mesh::{AttributeLayer, LayerData, Semantic, relative_position};
-
-use crate::error::{Fault, Place};
+use crate::error::Fault;
 
 use super::column::Column;
 use super::face_data::FaceData;
-use super::face_textures::{FaceTextures, TextureProperties};
+use super::face_textures::FaceTextures;
 use super::header::{Element, Header, Property, Scalar};
-use super::names::{ColumnSet, column_sets};
+use super::lists::{index_list, list_length, skip_element, skip_property};
 use super::rows::Rows;
-use super::texcoords::{flip, mark_flipped};
-
-/// Vertex element without its lists: `count` rows of `stride` little-endian bytes.
-pub(crate) struct Vertices<'a> {
-    rows: Cow<'a, [u8]>,
-    count: usize,
-    stride: usize,
-    columns: Vec<Column>,
-    /// Whether the rows are those of triangles.
-    of_triangles: bool,
-}
+use super::texcoords::mark_flipped;
+use super::vertices::{PlyVertices, columns_of};
 
 /// Triangles read so far, with what an error about a bad index needs.
 #[derive(Default)]
-pub(crate) struct Faces {
+pub(crate) struct ReadFaces {
     pub triangles: Vec<[u32; 3]>,
     /// Texture data of the triangles, as far as there are any.
     pub textures: FaceTextures,
@@ -41,8 +29,8 @@ pub(crate) struct Faces {
 pub(crate) fn read_elements<'a, R: Rows<'a>>(
     header: &Header,
     rows: &mut R,
-    faces: &mut Faces,
-) -> Result<Vertices<'a>, Fault> {
+    faces: &mut ReadFaces,
+) -> Result<PlyVertices<'a>, Fault> {
     let vertex_count = header.vertex()?.count;
     let mut vertices = None;
     for element in &header.elements {
@@ -70,26 +58,7 @@ fn check_room<'a>(element: &Element, rows: &impl Rows<'a>) -> Result<(), Fault> 
     Ok(())
 }
 
-pub(super) fn columns_of(element: &Element) -> (Vec<Column>, usize) {
-    let mut offset = 0;
-    let mut columns = Vec::new();
-    for property in element.properties.iter().filter(|p| p.list.is_none()) {
-        let (name, scalar) = (property.name.clone(), property.scalar);
-        columns.push(Column { name, scalar, offset, is_flipped: false });
-        offset += property.scalar.bytes();
-    }
-    (columns, offset)
-}
-
-/// Returns the columns, those with texture coordinates marked.
-#[cfg(all(feature = "pieces", not(target_family = "wasm")))]
-pub(crate) fn flipped_columns_of(element: &Element) -> Vec<Column> {
-    let (mut columns, _) = columns_of(element);
-    mark_flipped(&mut columns);
-    columns
-}
-
-fn read_vertices<'a, R: Rows<'a>>(element: &Element, rows: &mut R) -> Result<Vertices<'a>, Fault> {
+fn read_vertices<'a, R: Rows<'a>>(element: &Element, rows: &mut R) -> Result<PlyVertices<'a>, Fault> {
     let (mut columns, stride) = columns_of(element);
     let (count, length) = (element.count, stride * element.count);
     let has_lists = element.properties.iter().any(|p| p.list.is_some());
@@ -97,7 +66,7 @@ fn read_vertices<'a, R: Rows<'a>>(element: &Element, rows: &mut R) -> Result<Ver
         return Err(rows.fault("the element `vertex` has no coordinates".to_owned()));
     }
     if !has_lists && let Some(bytes) = rows.little_endian_bytes(length) {
-        return Ok(Vertices { rows: Cow::Borrowed(bytes), count, stride, columns, of_triangles: false });
+        return Ok(PlyVertices { rows: Cow::Borrowed(bytes), count, stride, columns, of_triangles: false });
     }
     if rows.is_text() {
         mark_flipped(&mut columns);
@@ -106,7 +75,7 @@ fn read_vertices<'a, R: Rows<'a>>(element: &Element, rows: &mut R) -> Result<Ver
     for _ in 0..count {
         copy_row(element, &columns, rows, &mut bytes)?;
     }
-    Ok(Vertices { rows: Cow::Owned(bytes), count, stride, columns, of_triangles: false })
+    Ok(PlyVertices { rows: Cow::Owned(bytes), count, stride, columns, of_triangles: false })
 }
 
 /// Appends the numbers of a row, as little-endian bytes; lists are left out.
@@ -131,45 +100,10 @@ fn copy_row<'a>(
     Ok(())
 }
 
-pub(crate) fn skip_property<'a>(property: &Property, rows: &mut impl Rows<'a>) -> Result<(), Fault> {
-    let count = match property.list {
-        None => 1,
-        Some(scalar) => list_length(scalar, rows)?,
-    };
-    rows.skip(property.scalar, count)
-}
-
-pub(crate) fn list_length<'a>(scalar: Scalar, rows: &mut impl Rows<'a>) -> Result<usize, Fault> {
-    let length = rows.integer(scalar)?;
-    usize::try_from(length).map_err(|_| rows.fault(format!("a list cannot have {length} entries")))
-}
-
-pub(crate) fn skip_element<'a>(element: &Element, rows: &mut impl Rows<'a>) -> Result<(), Fault> {
-    if element.properties.iter().all(|p| p.list.is_none()) {
-        for property in &element.properties {
-            rows.skip(property.scalar, element.count)?;
-        }
-        return Ok(());
-    }
-    for _ in 0..element.count {
-        for property in &element.properties {
-            skip_property(property, rows)?;
-        }
-    }
-    Ok(())
-}
-
-/// Returns the index of the vertex list among an element's properties.
-pub(crate) fn index_list(element: &Element) -> Option<usize> {
-    let is_index_list =
-        |p: &Property| p.list.is_some() && matches!(p.name.as_str(), "vertex_indices" | "vertex_index");
-    element.properties.iter().position(is_index_list)
-}
-
 pub(crate) fn read_faces<'a, R: Rows<'a>>(
     element: &Element,
     rows: &mut R,
-    faces: &mut Faces,
+    faces: &mut ReadFaces,
     vertex_count: usize,
 ) -> Result<(), Fault> {
     let Some(list) = index_list(element) else { return skip_element(element, rows) };
@@ -205,7 +139,7 @@ pub(crate) fn read_faces<'a, R: Rows<'a>>(
 fn read_plain_triangles<'a>(
     rows: &mut impl Rows<'a>,
     count: usize,
-    faces: &mut Faces,
+    faces: &mut ReadFaces,
     vertex_count: usize,
 ) -> usize {
     const ROW: usize = 13;
@@ -228,7 +162,7 @@ fn read_polygon<'a, R: Rows<'a>>(
     scalar: Scalar,
     length: Scalar,
     rows: &mut R,
-    faces: &mut Faces,
+    faces: &mut ReadFaces,
 ) -> Result<(), Fault> {
     let length = list_length(length, rows)?;
     let (mut first, mut last) = (0, 0);
@@ -247,7 +181,7 @@ fn read_polygon<'a, R: Rows<'a>>(
 pub(super) fn read_index<'a, R: Rows<'a>>(
     scalar: Scalar,
     rows: &mut R,
-    faces: &mut Faces,
+    faces: &mut ReadFaces,
 ) -> Result<u32, Fault> {
     let mark = rows.mark();
     let index = rows.integer(scalar)?;
@@ -262,7 +196,7 @@ pub(super) fn read_index<'a, R: Rows<'a>>(
 }
 
 /// Reads triangle strips as Stanford writes them: one list, with strips separated by -1.
-fn read_strips<'a, R: Rows<'a>>(element: &Element, rows: &mut R, faces: &mut Faces) -> Result<(), Fault> {
+fn read_strips<'a, R: Rows<'a>>(element: &Element, rows: &mut R, faces: &mut ReadFaces) -> Result<(), Fault> {
     let Some(list) = index_list(element) else { return skip_element(element, rows) };
     for _ in 0..element.count {
         for (place, property) in element.properties.iter().enumerate() {
@@ -279,7 +213,7 @@ fn read_strip_list<'a, R: Rows<'a>>(
     scalar: Scalar,
     length: Scalar,
     rows: &mut R,
-    faces: &mut Faces,
+    faces: &mut ReadFaces,
 ) -> Result<(), Fault> {
     let (mut before_last, mut last, mut seen) = (0, 0, 0usize);
     for _ in 0..list_length(length, rows)? {
@@ -306,7 +240,94 @@ fn read_strip_list<'a, R: Rows<'a>>(
     Ok(())
 }
 
-impl Faces {
+/// Indices of the properties of a face that describe its texture.
+#[derive(Clone, Copy)]
+pub(crate) struct TextureProperties {
+    texcoord: Option<usize>,
+    number: Option<usize>,
+}
+
+impl TextureProperties {
+    /// Finds the properties; [`None`] if there are none. Numbers of no textures are not among them.
+    pub(crate) fn of(element: &Element, has_no_textures: bool) -> Option<Self> {
+        let find = |name: &str, is_list: bool| {
+            element.properties.iter().position(|p| p.name == name && p.list.is_some() == is_list)
+        };
+        let texcoord = find("texcoord", true);
+        let number = find("texnumber", false).filter(|_| !has_no_textures);
+        (texcoord.is_some() || number.is_some()).then_some(Self { texcoord, number })
+    }
+
+    /// Reads all rows of a face element; `indices` is the property with the vertices.
+    fn read_faces<'a, R: Rows<'a>>(
+        self,
+        element: &Element,
+        indices: usize,
+        rows: &mut R,
+        faces: &mut ReadFaces,
+    ) -> Result<(), Fault> {
+        faces.pad_textures();
+        if self.number.is_some() {
+            faces.textures.expect_numbers();
+        }
+        let (mut polygon, mut texcoords): (Vec<u32>, Vec<f32>) = (Vec::new(), Vec::new());
+        let mut row = Vec::new();
+        for _ in 0..element.count {
+            polygon.clear();
+            texcoords.clear();
+            row.clear();
+            let (mut number, mut mark) = (-1, 0);
+            for (place, property) in element.properties.iter().enumerate() {
+                match property.list {
+                    Some(length) if place == indices => {
+                        for _ in 0..list_length(length, rows)? {
+                            polygon.push(read_index(property.scalar, rows, faces)?);
+                        }
+                    }
+                    Some(length) if Some(place) == self.texcoord => {
+                        let length = list_length(length, rows)?;
+                        mark = rows.mark();
+                        for index in 0..length {
+                            // `v` counts from the bottom of the image.
+                            let is_v = index % 2 == 1;
+                            let scalar = property.scalar;
+                            let read = if is_v { rows.one_minus(scalar) } else { rows.float(scalar) };
+                            texcoords.push(read?);
+                        }
+                    }
+                    None if Some(place) == self.number => number = rows.integer(property.scalar)?,
+                    None if faces.data.is_open() => rows.copy(property.scalar, &mut row)?,
+                    _ => skip_property(property, rows)?,
+                }
+            }
+            if !texcoords.is_empty() && texcoords.len() != 2 * polygon.len() {
+                let (corners, found) = (polygon.len(), texcoords.len());
+                let reason =
+                    format!("`texcoord` has {found} numbers for {corners} corners; expected {}", 2 * corners);
+                return Err(R::fault_at(mark, reason));
+            }
+            faces.push_textured(&polygon, &texcoords, number);
+            faces.data.push(&row, polygon.len().saturating_sub(2));
+        }
+        Ok(())
+    }
+}
+
+impl ReadFaces {
+    /// Adds missing texture data for the triangles at the end.
+    pub(crate) fn pad_textures(&mut self) {
+        self.textures.pad(&self.triangles);
+    }
+
+    /// Adds a polygon as a fan; there may be no texture coordinates.
+    fn push_textured(&mut self, polygon: &[u32], texcoords: &[f32], number: i64) {
+        for last in 2..polygon.len() {
+            let places = [0, last - 1, last];
+            self.triangles.push(places.map(|place| polygon[place]));
+            self.textures.push(polygon, places, texcoords, number);
+        }
+    }
+
     /// Checks that all vertex indices are in range.
     pub(crate) fn check_indices(&mut self, vertex_count: usize) -> Result<(), Fault> {
         match self.largest.take() {
@@ -316,161 +337,5 @@ impl Faces {
             }
             _ => Ok(()),
         }
-    }
-}
-
-impl<'a> Vertices<'a> {
-    /// Wraps whole rows of little-endian bytes, of any number; their texture coordinates count from the top
-    /// of the image if `has_top_origin` is set.
-    #[cfg(all(any(feature = "blocks", feature = "pieces"), not(target_family = "wasm")))]
-    pub(crate) fn of_rows(element: &Element, rows: Cow<'a, [u8]>, has_top_origin: bool) -> Self {
-        let (mut columns, stride) = columns_of(element);
-        if has_top_origin {
-            mark_flipped(&mut columns);
-        }
-        Self { count: rows.len() / stride.max(1), rows, stride, columns, of_triangles: false }
-    }
-}
-
-impl<'a> Vertices<'a> {
-    /// Wraps whole rows of triangles.
-    pub(super) fn of_triangles(rows: Cow<'a, [u8]>, (columns, stride): (Vec<Column>, usize)) -> Self {
-        Self { count: rows.len() / stride.max(1), rows, stride, columns, of_triangles: true }
-    }
-}
-
-impl Vertices<'_> {
-    /// Returns the columns of x, y and z; [`None`] if there are no vertices and no such columns.
-    fn axes(&self, header: &Header) -> Result<Option<[&Column; 3]>, Fault> {
-        let mut axes = Vec::with_capacity(3);
-        for name in ["x", "y", "z"] {
-            let Some(column) = self.columns.iter().find(|c| c.name == name) else {
-                if header.vertex()?.count == 0 {
-                    return Ok(None);
-                }
-                let reason = format!("the element `vertex` has no property `{name}`");
-                return Err(Fault::Malformed(Place::File, reason));
-            };
-            axes.push(column);
-        }
-        Ok(Some([axes[0], axes[1], axes[2]]))
-    }
-
-    /// Returns the positions of all vertices relative to an origin.
-    pub(crate) fn positions(&self, header: &Header, origin: [f64; 3]) -> Result<Vec<[f32; 3]>, Fault> {
-        let Some(axes) = self.axes(header)? else { return Ok(Vec::new()) };
-        let [x, y, z] = axes.map(|column| column.offset);
-        let are_floats = axes.iter().all(|c| c.scalar == Scalar::F32);
-        if are_floats && y == x + 4 && z == x + 8 && origin == [0.0; 3] {
-            let position = |row: &[u8]| [f32_at(row, 0), f32_at(row, 4), f32_at(row, 8)];
-            return Ok(self.rows().map(|row| position(&row[x..x + 12])).collect());
-        }
-        Ok(self.rows().map(|row| relative_position(axes.map(|column| to_f64(row, column)), origin)).collect())
-    }
-
-    /// Returns the coordinates of all vertices in doubles, if single precision cannot hold their type.
-    pub(crate) fn file_positions(&self, header: &Header) -> Result<Option<Vec<[f64; 3]>>, Fault> {
-        let Some(axes) = self.axes(header)? else { return Ok(None) };
-        if !axes.iter().any(|column| matches!(column.scalar, Scalar::F64 | Scalar::I32 | Scalar::U32)) {
-            return Ok(None);
-        }
-        Ok(Some(self.rows().map(|row| axes.map(|column| to_f64(row, column))).collect()))
-    }
-
-    fn rows(&self) -> impl ExactSizeIterator<Item = &[u8]> {
-        debug_assert_eq!(self.rows.len(), self.count * self.stride, "rows are whole");
-        self.rows.chunks_exact(self.stride.max(1))
-    }
-
-    /// Returns the attribute layers of all vertices.
-    pub(crate) fn layers(&self, header: &Header) -> Vec<AttributeLayer> {
-        let mut seen = BTreeSet::new();
-        let sets = column_sets(&self.columns, self.of_triangles);
-        let first_of_its_name = |set: &&ColumnSet<'_>| seen.insert(set.semantic.clone());
-        sets.iter().filter(first_of_its_name).map(|set| self.layer(set, header)).collect()
-    }
-
-    fn layer(&self, set: &ColumnSet<'_>, header: &Header) -> AttributeLayer {
-        let semantic = set.semantic.clone();
-        let component_count = set.columns.len() as u8;
-        let (data, normalized) = match (&semantic, set.columns[0].scalar) {
-            (Semantic::Normal | Semantic::Tangent, _) => (self.floats(set), false),
-            (Semantic::MorphPosition(_) | Semantic::MorphNormal(_) | Semantic::MorphTangent(_), _) => {
-                (self.floats(set), false)
-            }
-            (Semantic::Color(_), Scalar::I16 | Scalar::I32 | Scalar::U32) => {
-                (self.gathered(set, |row, c| (to_f64(row, c) / 255.0) as f32, LayerData::F32), false)
-            }
-            (Semantic::Color(_) | Semantic::TexCoord(_) | Semantic::Weights(_), scalar) => {
-                (self.typed(set), matches!(scalar, Scalar::U8 | Scalar::U16))
-            }
-            (Semantic::Generic(name), _) => {
-                let names = if self.of_triangles { &header.normalized_faces } else { &header.normalized };
-                (self.typed(set), names.contains(name))
-            }
-            (Semantic::Joints(_), _) => (self.typed(set), false),
-        };
-        let mut layer = AttributeLayer { semantic, component_count, normalized, data };
-        if !self.of_triangles && !set.columns.iter().any(|column| column.is_flipped) {
-            flip(&mut layer);
-        }
-        layer
-    }
-
-    /// Returns the columns in their own type.
-    fn typed(&self, set: &ColumnSet<'_>) -> LayerData {
-        match set.columns[0].scalar {
-            Scalar::U8 => self.gathered(set, |row, c| row[c.offset], LayerData::U8),
-            Scalar::U16 => self.gathered(set, |row, c| to_f64(row, c) as u16, LayerData::U16),
-            Scalar::U32 => self.gathered(set, |row, c| to_f64(row, c) as u32, LayerData::U32),
-            Scalar::I8 => self.gathered(set, |row, c| row[c.offset] as i8, LayerData::I8),
-            Scalar::I16 => self.gathered(set, |row, c| to_f64(row, c) as i16, LayerData::I16),
-            Scalar::I32 => self.gathered(set, |row, c| to_f64(row, c) as i32, LayerData::I32),
-            Scalar::F32 | Scalar::F64 => self.floats(set),
-        }
-    }
-
-    fn floats(&self, set: &ColumnSet<'_>) -> LayerData {
-        if set.columns.iter().all(|c| c.scalar == Scalar::F32) {
-            return self.gathered(set, |row, c| f32_at(row, c.offset), LayerData::F32);
-        }
-        if set.columns.iter().all(|c| c.scalar == Scalar::F64) {
-            return self.gathered(set, to_f64, LayerData::F64);
-        }
-        self.gathered(set, |row, c| to_f64(row, c) as f32, LayerData::F32)
-    }
-
-    fn gathered<T>(
-        &self,
-        set: &ColumnSet<'_>,
-        number: impl Fn(&[u8], &Column) -> T,
-        data: impl Fn(Vec<T>) -> LayerData,
-    ) -> LayerData {
-        let mut out = Vec::with_capacity(self.count * set.columns.len());
-        for row in self.rows() {
-            out.extend(set.columns.iter().map(|&column| number(row, column)));
-        }
-        data(out)
-    }
-}
-
-#[inline]
-fn f32_at(row: &[u8], offset: usize) -> f32 {
-    f32::from_le_bytes([row[offset], row[offset + 1], row[offset + 2], row[offset + 3]])
-}
-
-/// Converts any number of a row; every type fits into an `f64` exactly.
-fn to_f64(row: &[u8], column: &Column) -> f64 {
-    let mut word = [0u8; 8];
-    let length = column.scalar.bytes();
-    word[..length].copy_from_slice(&row[column.offset..column.offset + length]);
-    let value = u64::from_le_bytes(word);
-    match column.scalar {
-        Scalar::I8 => f64::from(value as i8),
-        Scalar::I16 => f64::from(value as i16),
-        Scalar::I32 => f64::from(value as i32),
-        Scalar::U8 | Scalar::U16 | Scalar::U32 => value as f64,
-        Scalar::F32 => f64::from(f32::from_bits(value as u32)),
-        Scalar::F64 => f64::from_bits(value),
     }
 }

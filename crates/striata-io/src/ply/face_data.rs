@@ -7,9 +7,9 @@ use std::borrow::Cow;
 
 use striata::mesh::AttributeLayer;
 
-use super::body::{Vertices, columns_of};
 use super::column::Column;
 use super::header::{Element, Header, Property};
+use super::vertices::{PlyVertices, columns_of};
 
 /// Bytes of rows that any file may have, and per byte of the file: long rows of polygons with many corners would
 /// otherwise let a small file fill the memory.
@@ -120,7 +120,7 @@ impl FaceData {
             let (count, name) = (triangle_count - with_rows, &self.columns[0].name);
             self.remarks.push(format!("{count} triangles have no property `{name}`: theirs are 0"));
         }
-        let rows = Vertices::of_triangles(Cow::Owned(self.rows), (self.columns, self.stride));
+        let rows = PlyVertices::of_triangles(Cow::Owned(self.rows), self.columns, self.stride);
         (rows.layers(header), self.remarks)
     }
 }

@@ -12,10 +12,6 @@
 
 use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
 
-use super::body::{Faces, list_length, read_index, skip_property};
-use super::header::Element;
-use super::rows::Rows;
-use crate::error::Fault;
 use crate::wedges::number_wedges;
 
 /// Marks a missing coordinate; a NaN that files cannot contain, because theirs are replaced by another one.
@@ -35,106 +31,34 @@ pub(crate) struct FaceTextures {
     has_numbers: bool,
 }
 
-/// Indices of the properties of a face that describe its texture.
-#[derive(Clone, Copy)]
-pub(crate) struct TextureProperties {
-    texcoord: Option<usize>,
-    number: Option<usize>,
-}
-
-impl TextureProperties {
-    /// Finds the properties; [`None`] if there are none. Numbers of no textures are not among them.
-    pub(crate) fn of(element: &Element, has_no_textures: bool) -> Option<Self> {
-        let find = |name: &str, is_list: bool| {
-            element.properties.iter().position(|p| p.name == name && p.list.is_some() == is_list)
-        };
-        let texcoord = find("texcoord", true);
-        let number = find("texnumber", false).filter(|_| !has_no_textures);
-        (texcoord.is_some() || number.is_some()).then_some(Self { texcoord, number })
-    }
-
-    /// Reads all rows of a face element; `indices` is the property with the vertices.
-    pub(crate) fn read_faces<'a, R: Rows<'a>>(
-        self,
-        element: &Element,
-        indices: usize,
-        rows: &mut R,
-        faces: &mut Faces,
-    ) -> Result<(), Fault> {
-        faces.pad_textures();
-        faces.textures.has_numbers |= self.number.is_some();
-        let (mut polygon, mut texcoords): (Vec<u32>, Vec<f32>) = (Vec::new(), Vec::new());
-        let mut row = Vec::new();
-        for _ in 0..element.count {
-            polygon.clear();
-            texcoords.clear();
-            row.clear();
-            let (mut number, mut mark) = (-1, 0);
-            for (place, property) in element.properties.iter().enumerate() {
-                match property.list {
-                    Some(length) if place == indices => {
-                        for _ in 0..list_length(length, rows)? {
-                            polygon.push(read_index(property.scalar, rows, faces)?);
-                        }
-                    }
-                    Some(length) if Some(place) == self.texcoord => {
-                        let length = list_length(length, rows)?;
-                        mark = rows.mark();
-                        for index in 0..length {
-                            // `v` counts from the bottom of the image.
-                            let is_v = index % 2 == 1;
-                            let scalar = property.scalar;
-                            let read = if is_v { rows.one_minus(scalar) } else { rows.float(scalar) };
-                            texcoords.push(read?);
-                        }
-                    }
-                    None if Some(place) == self.number => number = rows.integer(property.scalar)?,
-                    None if faces.data.is_open() => rows.copy(property.scalar, &mut row)?,
-                    _ => skip_property(property, rows)?,
-                }
-            }
-            if !texcoords.is_empty() && texcoords.len() != 2 * polygon.len() {
-                let (corners, found) = (polygon.len(), texcoords.len());
-                let reason =
-                    format!("`texcoord` has {found} numbers for {corners} corners; expected {}", 2 * corners);
-                return Err(R::fault_at(mark, reason));
-            }
-            faces.push_textured(&polygon, &texcoords, number);
-            faces.data.push(&row, polygon.len().saturating_sub(2));
-        }
-        Ok(())
-    }
-}
-
-impl Faces {
-    /// Adds missing texture data for the triangles at the end.
-    pub(crate) fn pad_textures(&mut self) {
-        let known = self.textures.numbers.len();
-        let missing = self.triangles[known..].iter().flatten().map(|&vertex| [vertex, MISSING, MISSING]);
-        self.textures.corners.extend(missing);
-        self.textures.numbers.resize(self.triangles.len(), -1);
-    }
-
-    /// Adds a polygon as a fan; there may be no texture coordinates.
-    fn push_textured(&mut self, polygon: &[u32], texcoords: &[f32], number: i64) {
-        let corner = |index: usize| match texcoords.get(2 * index..2 * index + 2) {
-            Some(&[u, v]) => [polygon[index], bits(u), bits(v)],
-            _ => [polygon[index], MISSING, MISSING],
-        };
-        for last in 2..polygon.len() {
-            self.triangles.push([polygon[0], polygon[last - 1], polygon[last]]);
-            self.textures.corners.extend([corner(0), corner(last - 1), corner(last)]);
-            self.textures.numbers.push(number);
-        }
-    }
-}
-
 /// Returns the bits of a number; all NaN have the same bits, which are not [`MISSING`].
 fn bits(value: f32) -> u32 {
     if value.is_nan() { f32::NAN.to_bits() } else { value.to_bits() }
 }
 
 impl FaceTextures {
+    /// Notes that faces have a property with the number of a texture.
+    pub(super) fn expect_numbers(&mut self) {
+        self.has_numbers = true;
+    }
+
+    /// Adds missing data for the triangles at the end.
+    pub(super) fn pad(&mut self, triangles: &[[u32; 3]]) {
+        let missing = triangles[self.numbers.len()..].iter().flatten();
+        self.corners.extend(missing.map(|&vertex| [vertex, MISSING, MISSING]));
+        self.numbers.resize(triangles.len(), -1);
+    }
+
+    /// Adds a triangle of a polygon, given the places of its corners there; there may be no texture coordinates.
+    pub(super) fn push(&mut self, polygon: &[u32], places: [usize; 3], texcoords: &[f32], number: i64) {
+        let corner = |place: usize| match texcoords.get(2 * place..2 * place + 2) {
+            Some(&[u, v]) => [polygon[place], bits(u), bits(v)],
+            _ => [polygon[place], MISSING, MISSING],
+        };
+        self.corners.extend(places.map(corner));
+        self.numbers.push(number);
+    }
+
     /// Whether there are no texture data at all.
     pub(crate) fn is_empty(&self) -> bool {
         self.numbers.is_empty()

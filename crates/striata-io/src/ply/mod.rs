@@ -16,12 +16,14 @@ mod column;
 pub(crate) mod face_data;
 pub(crate) mod face_textures;
 pub(crate) mod header;
+pub(crate) mod lists;
 mod names;
 pub(crate) mod rows;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 mod stream;
 pub(crate) mod texcoords;
 pub(crate) mod textures;
+pub(crate) mod vertices;
 mod write;
 mod write_textures;
 
@@ -38,7 +40,7 @@ use crate::error::{Fault, Place};
 use crate::report::Warnings;
 use crate::text::Cursor;
 use crate::texture_set::TextureSet;
-use body::{Faces, read_elements};
+use body::{ReadFaces, read_elements};
 use face_data::{FaceData, left_out};
 use header::{Encoding, Header};
 use rows::{AsciiRows, BinaryRows};
@@ -46,7 +48,7 @@ use rows::{AsciiRows, BinaryRows};
 /// Reads a mesh from the bytes of a PLY file, and the images that it names from files next to it.
 pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
     let mut header = Header::read(bytes)?;
-    let mut faces = Faces::default();
+    let mut faces = ReadFaces::default();
     faces.data = FaceData::new(&header, bytes.len());
     let vertices = match header.encoding {
         Encoding::Ascii => {
@@ -57,7 +59,7 @@ pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -
             if read.0.has_long_coordinates() {
                 // Doubles in a text that declares floats.
                 header.widen_coordinates();
-                faces = Faces::default();
+                faces = ReadFaces::default();
                 faces.data = FaceData::new(&header, bytes.len());
                 read_elements(&header, &mut rows(&header), &mut faces)?
             } else {

@@ -12,10 +12,11 @@ use std::sync::Arc;
 
 use striata::mesh::{AttributeLayer, IndexedMesh, origin_of, relative_position};
 
-use super::body::{Vertices, index_list};
 use super::header::{Element, Encoding, Header, Property, Scalar};
+use super::lists::index_list;
 use super::rows::integer_from_bytes;
 use super::texcoords::{has_origin, with_bottom_origin};
+use super::vertices::PlyVertices;
 use super::write::{push_row, push_values, vertex_header};
 use crate::ReadError;
 use crate::color_space::byte_colors;
@@ -164,7 +165,7 @@ impl PlyStream {
                 }
             }
         }
-        let vertices = Vertices::of_rows(vertex, rows, self.header.has_top_origin);
+        let vertices = PlyVertices::of_rows(vertex, rows, self.header.has_top_origin);
         let taken = if self.is_relative { [0.0; 3] } else { self.origin };
         let positions = vertices.positions(&self.header, taken).map_err(in_file)?;
         let layers = vertices.layers(&self.header);
