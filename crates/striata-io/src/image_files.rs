@@ -47,7 +47,7 @@ struct NewFile<'b> {
 }
 
 /// State of a name in the output folder: free, or taken by the same bytes or by another file.
-enum Found {
+enum NameState {
     /// No file.
     Nothing,
     /// A file with these bytes.
@@ -135,9 +135,10 @@ impl<'m> ImageFiles<'m> {
                 Some(_) => continue,
                 None => {}
             }
-            let found = self.folder.as_ref().map_or(Found::Nothing, |folder| compare(folder, &name, bytes));
+            let found =
+                self.folder.as_ref().map_or(NameState::Nothing, |folder| compare(folder, &name, bytes));
             let is_replaced = || self.folder.as_ref().is_some_and(|f| is_own_file(&f.join(&name), is_own));
-            if matches!(found, Found::Other) && !is_replaced() {
+            if matches!(found, NameState::Other) && !is_replaced() {
                 if number == 1 {
                     let reason =
                         format!("`{wanted}` exists and is another file; a number is added to the name");
@@ -157,7 +158,7 @@ impl<'m> ImageFiles<'m> {
     }
 }
 
-impl Found {
+impl NameState {
     fn is_same(&self) -> bool {
         matches!(self, Self::Same)
     }
@@ -171,16 +172,16 @@ fn found_in(folder: &Path, path: &str, bytes: &[u8]) -> Option<String> {
 }
 
 /// Compares a file with bytes; only a regular file can be the same.
-fn compare(folder: &Path, name: &str, bytes: &[u8]) -> Found {
+fn compare(folder: &Path, name: &str, bytes: &[u8]) -> NameState {
     let path = folder.join(name);
     let Ok(metadata) = fs::metadata(&path) else {
         // A link to nowhere is there all the same.
-        return if fs::symlink_metadata(&path).is_ok() { Found::Other } else { Found::Nothing };
+        return if fs::symlink_metadata(&path).is_ok() { NameState::Other } else { NameState::Nothing };
     };
     let may_be_same = metadata.is_file() && metadata.len() == bytes.len() as u64;
     match may_be_same && fs::read(&path).is_ok_and(|found| found == bytes) {
-        true => Found::Same,
-        false => Found::Other,
+        true => NameState::Same,
+        false => NameState::Other,
     }
 }
 

@@ -28,7 +28,7 @@ pub(crate) struct LevelWalk {
     /// Triangles of the level.
     pub triangles: Vec<[u32; 3]>,
     hints: Vec<Hint>,
-    rings: Rings,
+    rings: VertexRings,
 }
 
 impl LevelWalk {
@@ -93,13 +93,13 @@ impl LevelWalk {
 
 /// The triangles of each vertex.
 #[derive(Debug, Default)]
-struct Rings {
+struct VertexRings {
     /// Index of the first triangle of each vertex, and the number of all at the end.
     first: Vec<u32>,
     triangles: Vec<u32>,
 }
 
-impl Rings {
+impl VertexRings {
     fn of(&self, vertex: u32) -> &[u32] {
         &self.triangles[self.first[vertex as usize] as usize..self.first[vertex as usize + 1] as usize]
     }

@@ -35,11 +35,11 @@ use crate::mesh_simplifier::MeshSimplifier;
 /// ```
 #[derive(Clone, Debug)]
 pub struct LodScene {
-    shared: Arc<Shared>,
+    shared: Arc<SharedParts>,
 }
 
 #[derive(Debug)]
-struct Shared {
+struct SharedParts {
     scene: Scene,
     lods: Vec<Option<Lod>>,
     levels: OnceLock<SceneLevels>,
@@ -117,7 +117,7 @@ impl LodScene {
     }
 
     pub(crate) fn of_parts(scene: Scene, lods: Vec<Option<Lod>>) -> Self {
-        Self { shared: Arc::new(Shared { scene, lods, levels: OnceLock::new() }) }
+        Self { shared: Arc::new(SharedParts { scene, lods, levels: OnceLock::new() }) }
     }
 
     /// The scene without triangles: its document, images, and the data of animations and skins.

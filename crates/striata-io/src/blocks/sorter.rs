@@ -80,7 +80,8 @@ impl Sorter {
         let file = self.file.into_inner().map_err(io::IntoInnerError::into_error)?;
         let buffer_bytes = (BUFFER_BYTES / self.ends.len()).max(MIN_BUFFER_BYTES);
         let starts = std::iter::once(0).chain(self.ends.iter().copied());
-        let runs = starts.zip(&self.ends).map(|(next, &end)| Run { next, end, buffer: Vec::new(), at: 0 });
+        let runs =
+            starts.zip(&self.ends).map(|(next, &end)| SortedRun { next, end, buffer: Vec::new(), at: 0 });
         let mut merged = SortedRecords {
             file,
             runs: runs.collect(),
@@ -98,14 +99,14 @@ impl Sorter {
 #[derive(Debug)]
 pub(super) struct SortedRecords {
     file: File,
-    runs: Vec<Run>,
+    runs: Vec<SortedRun>,
     heads: BinaryHeap<Reverse<(Record, usize)>>,
     buffer_records: usize,
 }
 
 /// Rest of a run: records in memory from `at` on, and in the file from `next` to `end`.
 #[derive(Debug)]
-struct Run {
+struct SortedRun {
     next: u64,
     end: u64,
     buffer: Vec<u8>,

@@ -84,7 +84,7 @@ impl TriangleBlocks {
         let BinaryPly { stream, warnings, triangle_layers } = ply;
         let sorted = sorted_triangles(&stream, bounds, &scratch)?;
         let cutter = BlockCutter::new(&stream, &scratch)?;
-        let Blocks { triangles, starts, last_blocks } =
+        let BlockFiles { triangles, starts, last_blocks } =
             cutter.run(sorted, block_triangles.max(1)).map_err(|error| scratch.error(error))?;
         let triangle_count = starts.last().copied().unwrap_or(0) as usize;
         let known = Warnings::of_list(stream.name(), warnings.clone());
@@ -232,7 +232,7 @@ fn sorted_triangles(
 }
 
 /// Files and offsets of all blocks, as in [`TriangleBlocks`].
-struct Blocks {
+struct BlockFiles {
     triangles: File,
     starts: Vec<u64>,
     last_blocks: PagedFile,
@@ -260,7 +260,7 @@ impl BlockCutter {
         })
     }
 
-    fn run(mut self, mut sorted: SortedRecords, longest: usize) -> io::Result<Blocks> {
+    fn run(mut self, mut sorted: SortedRecords, longest: usize) -> io::Result<BlockFiles> {
         loop {
             while self.ahead.len() <= longest {
                 let Some(record) = sorted.next()? else { break };
@@ -273,7 +273,7 @@ impl BlockCutter {
             self.end_block(length)?;
         }
         let triangles = self.triangles.into_inner().map_err(io::IntoInnerError::into_error)?;
-        Ok(Blocks { triangles, starts: self.starts, last_blocks: self.last_blocks })
+        Ok(BlockFiles { triangles, starts: self.starts, last_blocks: self.last_blocks })
     }
 
     fn end_block(&mut self, length: usize) -> io::Result<()> {

@@ -56,11 +56,11 @@ mod native {
     /// Folders in which names begin, by how far they are above that of the source.
     #[derive(Default)]
     pub(in super::super) struct Folders {
-        bases: BTreeMap<usize, Vec<Base>>,
+        bases: BTreeMap<usize, Vec<BaseFolder>>,
     }
 
     /// Folder that nothing leads out of.
-    struct Base {
+    struct BaseFolder {
         dir: Dir,
         path: PathBuf,
         listings: BTreeMap<String, Listing>,
@@ -97,14 +97,14 @@ mod native {
 
     /// Opens the folders that are `ups` above `folder`: by its path as it stands, and, if it contains links,
     /// by its path without them.
-    fn bases_above(folder: &Path, ups: usize) -> Vec<Base> {
+    fn bases_above(folder: &Path, ups: usize) -> Vec<BaseFolder> {
         if ups == 0 {
-            return Base::open_folder(folder.to_owned()).into_iter().collect();
+            return BaseFolder::open_folder(folder.to_owned()).into_iter().collect();
         }
         let above = |path: PathBuf| path.ancestors().nth(ups).map(Path::to_owned);
         let plain = std::path::absolute(folder).ok().map(|path| without_dots(&path)).and_then(above);
         let real = folder.canonicalize().ok().and_then(above).filter(|real| Some(real) != plain.as_ref());
-        plain.into_iter().chain(real).filter_map(Base::open_folder).collect()
+        plain.into_iter().chain(real).filter_map(BaseFolder::open_folder).collect()
     }
 
     fn without_dots(path: &Path) -> PathBuf {
@@ -119,7 +119,7 @@ mod native {
         out
     }
 
-    impl Base {
+    impl BaseFolder {
         fn open_folder(path: PathBuf) -> Option<Self> {
             let dir = Dir::open_ambient_dir(&path, ambient_authority()).ok()?;
             Some(Self { dir, path, listings: BTreeMap::new() })

@@ -36,7 +36,7 @@ const BYTES_PER_INPUT_BYTE: u64 = 64;
 const MAX_PRIMITIVES: usize = 1 << 20;
 
 /// Vertices of one set of accessors under one transform.
-struct Block<'a> {
+struct VertexBlock<'a> {
     /// Primitive that names the accessors.
     primitive: Primitive<'a>,
     transform: Option<Transform>,
@@ -52,7 +52,7 @@ struct Block<'a> {
 }
 
 /// One primitive as shown by one node.
-struct Piece<'a> {
+struct PlacedPrimitive<'a> {
     /// [`None`] for the block's own primitive.
     primitive: Option<Primitive<'a>>,
     block: usize,
@@ -61,9 +61,9 @@ struct Piece<'a> {
 
 /// Everything the scene shows, before it is decoded.
 #[derive(Default)]
-struct Plan<'a> {
-    blocks: Vec<Block<'a>>,
-    pieces: Vec<Piece<'a>>,
+struct AssemblyPlan<'a> {
+    blocks: Vec<VertexBlock<'a>>,
+    pieces: Vec<PlacedPrimitive<'a>>,
     formats: LayerFormats,
     /// Number of vertices, at most.
     vertex_count: usize,
@@ -79,7 +79,7 @@ type BlockKey = (u64, Vec<(Semantic, u64)>, Option<DracoKey>, Option<[u64; 16]>,
 
 /// Builds the mesh of a document's scene.
 pub(super) fn mesh_of(document: &Document<'_>, warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
-    let mut plan = Plan::default();
+    let mut plan = AssemblyPlan::default();
     visit_instances(document, BYTES_PER_INSTANCE, &mut |instance| {
         let transform = Transform::new(instance.matrix);
         for at in document.item("meshes", instance.mesh, &document.root)?.entries("primitives")? {
@@ -117,7 +117,7 @@ pub(super) fn mesh_of_primitives<'a>(
     used_bytes: &mut u64,
     numbers: Option<&str>,
 ) -> Result<IndexedMesh, Fault> {
-    let mut plan = Plan { other_bytes: *used_bytes, ..Plan::default() };
+    let mut plan = AssemblyPlan { other_bytes: *used_bytes, ..AssemblyPlan::default() };
     for primitive in primitives {
         plan.add(document, primitive, (None, RestPose::default()), "")?;
     }
@@ -148,7 +148,7 @@ enum Grouping {
     FansJoined,
 }
 
-impl Block<'_> {
+impl VertexBlock<'_> {
     /// Number of vertices that the block has if it has no unused ones, at most. Those of few triangles are
     /// looked up one by one; where most are used, all are kept.
     fn least_vertices(&self) -> usize {
@@ -165,7 +165,7 @@ impl Block<'_> {
     }
 }
 
-impl<'a> Plan<'a> {
+impl<'a> AssemblyPlan<'a> {
     fn add(
         &mut self,
         document: &Document<'_>,
@@ -199,7 +199,7 @@ impl<'a> Plan<'a> {
         own.vertex_count = own.least_vertices();
         self.vertex_count += own.vertex_count;
         self.check_size(document)?;
-        self.pieces.push(Piece { primitive, block, name });
+        self.pieces.push(PlacedPrimitive { primitive, block, name });
         Ok(())
     }
 
@@ -221,7 +221,7 @@ impl<'a> Plan<'a> {
             }
         }
         let (first_vertex, vertex_count, elements) = (0, 0, None);
-        self.blocks.push(Block {
+        self.blocks.push(VertexBlock {
             primitive,
             transform,
             pose,
@@ -240,7 +240,7 @@ impl<'a> Plan<'a> {
         for block in &self.blocks {
             *uses.entry(block.primitive.position).or_default() += 1;
         }
-        let may_choose = |block: &Block<'_>| {
+        let may_choose = |block: &VertexBlock<'_>| {
             let is_shared = unused == Unused::LeftOut || uses[&block.primitive.position] > 1;
             is_shared && block.least_vertices() < block.element_count
         };
@@ -300,7 +300,7 @@ impl<'a> Plan<'a> {
             return [0.0; 3];
         }
         let corners =
-            |block: &Block<'_>| placed_corners(document, &block.primitive, block.transform.as_ref());
+            |block: &VertexBlock<'_>| placed_corners(document, &block.primitive, block.transform.as_ref());
         let origin = origin_of_corners(self.blocks.iter().flat_map(corners).collect());
         if origin != [0.0; 3] {
             for block in &mut self.blocks {
@@ -408,7 +408,7 @@ impl<'a> Plan<'a> {
             return;
         };
         let LayerData::F32(data) = &mut layer.data else { return };
-        let lacks = |b: &Block<'_>| b.primitive.attributes.iter().all(|(s, _)| *s != Semantic::Normal);
+        let lacks = |b: &VertexBlock<'_>| b.primitive.attributes.iter().all(|(s, _)| *s != Semantic::Normal);
         let mut triangles_of: BTreeMap<usize, Vec<[u32; 3]>> = BTreeMap::new();
         for (&block, group) in block_of_group.iter().zip(&mesh.groups) {
             if lacks(&self.blocks[block]) {
@@ -417,7 +417,7 @@ impl<'a> Plan<'a> {
             }
         }
         for (block, triangles) in triangles_of {
-            let Block { first_vertex, vertex_count, .. } = self.blocks[block];
+            let VertexBlock { first_vertex, vertex_count, .. } = self.blocks[block];
             let range = first_vertex..first_vertex + vertex_count;
             let normals = normals::of_vertices(&mesh.positions, &triangles, range.clone());
             data[range.start * 3..range.end * 3].copy_from_slice(normals.as_flattened());

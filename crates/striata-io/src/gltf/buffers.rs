@@ -16,13 +16,13 @@ use crate::error::Fault;
 pub(crate) struct Buffers<B> {
     loaded: Vec<B>,
     /// Place of the bytes of each entry of `buffers`.
-    entries: Vec<Place>,
+    entries: Vec<BufferPlace>,
     file_bytes: u64,
 }
 
 /// Place of the bytes of a buffer.
 #[derive(Clone, Copy)]
-enum Place {
+enum BufferPlace {
     /// In the binary chunk.
     Chunk,
     /// Nowhere: the buffer is a placeholder for compressed data, and plain views into it are errors.
@@ -47,7 +47,7 @@ impl<B: Deref<Target = [u8]> + From<Vec<u8>>> Buffers<B> {
             let is_fallback = compression::meshopt(at).is_some_and(|at| at.flag("fallback"));
             let uri = if is_fallback && Compression::Meshopt.is_on() { "" } else { at.text("uri") };
             if uri.is_empty() {
-                buffers.entries.push(if index == 0 { Place::Chunk } else { Place::Nowhere });
+                buffers.entries.push(if index == 0 { BufferPlace::Chunk } else { BufferPlace::Nowhere });
                 continue;
             }
             let place = match known.get(uri) {
@@ -63,7 +63,7 @@ impl<B: Deref<Target = [u8]> + From<Vec<u8>>> Buffers<B> {
             if (found as u64) < length {
                 return Err(at.fault(format!("{length} bytes are declared, found {found}")));
             }
-            buffers.entries.push(Place::Loaded(place));
+            buffers.entries.push(BufferPlace::Loaded(place));
         }
         Ok(buffers)
     }
@@ -86,10 +86,10 @@ impl<B: Deref<Target = [u8]> + From<Vec<u8>>> Buffers<B> {
 
     /// Returns the bytes of each entry of `buffers`; `chunk` is the binary chunk of a GLB.
     pub(super) fn slices<'a>(&'a self, chunk: Option<&'a [u8]>) -> Vec<&'a [u8]> {
-        let slice = |place: &Place| match *place {
-            Place::Chunk => chunk.unwrap_or_default(),
-            Place::Nowhere => &[],
-            Place::Loaded(index) => &self.loaded[index],
+        let slice = |place: &BufferPlace| match *place {
+            BufferPlace::Chunk => chunk.unwrap_or_default(),
+            BufferPlace::Nowhere => &[],
+            BufferPlace::Loaded(index) => &self.loaded[index],
         };
         self.entries.iter().map(slice).collect()
     }

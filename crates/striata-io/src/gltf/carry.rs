@@ -68,7 +68,7 @@ impl Carried {
 
 /// Bytes of accessors that share a buffer view.
 #[derive(Default)]
-struct Shared {
+struct SharedView {
     accessors: Vec<usize>,
     bytes: Vec<u8>,
     /// Accessors with their bytes, by a hash of both: equal ones are stored once, such as the times of channels.
@@ -78,7 +78,7 @@ struct Shared {
 fn renumbered(document: &Document<'_>, root: &mut Value, is_geometry: &[bool]) -> Result<Carried, Fault> {
     let mut carried = Carried::default();
     let mut number_of: BTreeMap<(u64, Use), usize> = BTreeMap::new();
-    let mut shared: BTreeMap<Use, Shared> = BTreeMap::new();
+    let mut shared: BTreeMap<Use, SharedView> = BTreeMap::new();
     for_each_carried(root, |mesh| is_geometry[mesh], &mut |referent, reference| {
         let Referent::Accessor(usage) = referent else { return Ok(()) };
         let from = JsonNode { value: reference, path: format!("{usage:?}") };
@@ -91,7 +91,7 @@ fn renumbered(document: &Document<'_>, root: &mut Value, is_geometry: &[bool]) -
         *reference = json!(number);
         Ok(())
     })?;
-    for Shared { accessors, bytes, .. } in shared.into_values() {
+    for SharedView { accessors, bytes, .. } in shared.into_values() {
         let offset = carried.append(&bytes);
         let view = carried.views.len();
         carried.views.push(json!({ "buffer": 0, "byteOffset": offset, "byteLength": bytes.len() }));
@@ -110,7 +110,7 @@ impl Carried {
         document: &Document<'_>,
         index: u64,
         usage: Use,
-        shared: &mut BTreeMap<Use, Shared>,
+        shared: &mut BTreeMap<Use, SharedView>,
     ) -> Result<usize, Fault> {
         let at = document.item("accessors", index, &document.root)?;
         let source = accessor(document, index, &document.root)?;

@@ -27,7 +27,7 @@ pub(super) struct GpuInstances {
 }
 
 /// Accessors of the places of instances; a missing one means the identity.
-struct Places<'d> {
+struct InstanceAccessors<'d> {
     translation: Option<Accessor<'d>>,
     rotation: Option<Accessor<'d>>,
     scale: Option<Accessor<'d>>,
@@ -57,7 +57,7 @@ impl GpuInstances {
         node: &JsonNode<'_>,
     ) -> Result<Vec<Option<DMat4>>, Fault> {
         let Some(at) = attributes(node).filter(|_| is_instanced(node)) else { return Ok(vec![None]) };
-        let mut places = Places { translation: None, rotation: None, scale: None };
+        let mut places = InstanceAccessors { translation: None, rotation: None, scale: None };
         let mut count = None;
         for (name, entry) in node_members(node)? {
             let found = accessor(document, entry.as_unsigned()?, &entry)?;
@@ -99,7 +99,7 @@ fn node_members<'a>(node: &JsonNode<'a>) -> Result<Vec<(&'a str, JsonNode<'a>)>,
     extension.map_or_else(|| Ok(Vec::new()), |extension| extension.members("attributes"))
 }
 
-impl Places<'_> {
+impl InstanceAccessors<'_> {
     fn matrices(&self, count: usize) -> Result<Vec<Option<DMat4>>, Fault> {
         let numbers = |of: &Option<Accessor<'_>>| of.as_ref().map(Accessor::floats).unwrap_or_default();
         let (translations, rotations, scales) =

@@ -12,7 +12,7 @@ use super::transform::{Transform, transform_values};
 use crate::error::Fault;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum AccessorKind {
     U8,
     U16,
     U32,
@@ -25,7 +25,7 @@ enum Kind {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct LayerFormat {
     component_count: u8,
-    kind: Kind,
+    kind: AccessorKind,
     normalized: bool,
 }
 
@@ -47,23 +47,23 @@ impl LayerFormat {
             return Err(accessor.fault(format!("{count} components cannot be a {semantic}")));
         }
         let kind = match accessor.component {
-            ComponentType::U8 => Kind::U8,
-            ComponentType::U16 => Kind::U16,
-            ComponentType::U32 => Kind::U32,
-            ComponentType::I8 => Kind::I8,
-            ComponentType::I16 => Kind::I16,
-            ComponentType::F32 => Kind::F32,
+            ComponentType::U8 => AccessorKind::U8,
+            ComponentType::U16 => AccessorKind::U16,
+            ComponentType::U32 => AccessorKind::U32,
+            ComponentType::I8 => AccessorKind::I8,
+            ComponentType::I16 => AccessorKind::I16,
+            ComponentType::F32 => AccessorKind::F32,
         };
         let keeps_integers = match semantic {
             Semantic::TexCoord(_) | Semantic::Color(_) | Semantic::Weights(_) => {
-                accessor.normalized && matches!(kind, Kind::U8 | Kind::U16)
+                accessor.normalized && matches!(kind, AccessorKind::U8 | AccessorKind::U16)
             }
-            Semantic::Joints(_) => !matches!(kind, Kind::I8 | Kind::I16),
+            Semantic::Joints(_) => !matches!(kind, AccessorKind::I8 | AccessorKind::I16),
             Semantic::Generic(_) => true,
             _ => false,
         };
-        let kind = if keeps_integers { kind } else { Kind::F32 };
-        let normalized = accessor.normalized && kind != Kind::F32;
+        let kind = if keeps_integers { kind } else { AccessorKind::F32 };
+        let normalized = accessor.normalized && kind != AccessorKind::F32;
         Ok(Self { component_count: count as u8, kind, normalized })
     }
 
@@ -73,13 +73,17 @@ impl LayerFormat {
         if self.kind == other.kind && self.normalized == other.normalized {
             return Self { component_count, ..self };
         }
-        let has_no_fractions = |f: Self| f.kind != Kind::F32 && !f.normalized;
-        let is_signed = [self, other].iter().any(|f| matches!(f.kind, Kind::I8 | Kind::I16));
+        let has_no_fractions = |f: Self| f.kind != AccessorKind::F32 && !f.normalized;
+        let is_signed = [self, other].iter().any(|f| matches!(f.kind, AccessorKind::I8 | AccessorKind::I16));
         // Of signed types, floats represent all values that occur together.
         let kind = if !is_signed && has_no_fractions(self) && has_no_fractions(other) {
-            if self.kind == Kind::U32 || other.kind == Kind::U32 { Kind::U32 } else { Kind::U16 }
+            if self.kind == AccessorKind::U32 || other.kind == AccessorKind::U32 {
+                AccessorKind::U32
+            } else {
+                AccessorKind::U16
+            }
         } else {
-            Kind::F32
+            AccessorKind::F32
         };
         Self { component_count, kind, normalized: false }
     }
@@ -87,9 +91,9 @@ impl LayerFormat {
     /// Returns the size of one vertex's values in bytes.
     pub(crate) fn vertex_bytes(self) -> u64 {
         let size = match self.kind {
-            Kind::U8 | Kind::I8 => 1,
-            Kind::U16 | Kind::I16 => 2,
-            Kind::U32 | Kind::F32 => 4,
+            AccessorKind::U8 | AccessorKind::I8 => 1,
+            AccessorKind::U16 | AccessorKind::I16 => 2,
+            AccessorKind::U32 | AccessorKind::F32 => 4,
         };
         u64::from(self.component_count) * size
     }
@@ -98,12 +102,12 @@ impl LayerFormat {
     pub(crate) fn layer(self, semantic: &Semantic, vertex_count: usize) -> AttributeLayer {
         let room = vertex_count * self.component_count as usize;
         let data = match self.kind {
-            Kind::U8 => LayerData::U8(Vec::with_capacity(room)),
-            Kind::U16 => LayerData::U16(Vec::with_capacity(room)),
-            Kind::U32 => LayerData::U32(Vec::with_capacity(room)),
-            Kind::I8 => LayerData::I8(Vec::with_capacity(room)),
-            Kind::I16 => LayerData::I16(Vec::with_capacity(room)),
-            Kind::F32 => LayerData::F32(Vec::with_capacity(room)),
+            AccessorKind::U8 => LayerData::U8(Vec::with_capacity(room)),
+            AccessorKind::U16 => LayerData::U16(Vec::with_capacity(room)),
+            AccessorKind::U32 => LayerData::U32(Vec::with_capacity(room)),
+            AccessorKind::I8 => LayerData::I8(Vec::with_capacity(room)),
+            AccessorKind::I16 => LayerData::I16(Vec::with_capacity(room)),
+            AccessorKind::F32 => LayerData::F32(Vec::with_capacity(room)),
         };
         let Self { component_count, normalized, .. } = self;
         AttributeLayer { semantic: semantic.clone(), component_count, normalized, data }

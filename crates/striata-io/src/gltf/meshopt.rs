@@ -21,7 +21,7 @@ enum Mode {
 
 /// Transform that decoding applies last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Filter {
+enum ViewFilter {
     None,
     Octahedral,
     Quaternion,
@@ -31,9 +31,9 @@ enum Filter {
 
 /// Layout of decompressed data.
 #[derive(Clone, Copy, Debug)]
-struct Layout {
+struct ViewLayout {
     mode: Mode,
-    filter: Filter,
+    filter: ViewFilter,
     count: usize,
     stride: usize,
 }
@@ -51,7 +51,7 @@ pub(super) fn decompressed(
     let bytes = (layout.count as u64).saturating_mul(layout.stride as u64);
     let declared = view.required_unsigned("byteLength")?;
     if bytes != declared {
-        let Layout { count, stride, .. } = layout;
+        let ViewLayout { count, stride, .. } = layout;
         return Err(at.fault(format!("{count} elements of {stride} bytes, in a view of {declared} bytes")));
     }
     let source = document.range(at)?;
@@ -59,7 +59,7 @@ pub(super) fn decompressed(
     decode(layout, source).map_err(|reason| at.fault(format!("the compressed data are damaged: {reason}")))
 }
 
-fn layout(at: &JsonNode<'_>) -> Result<Layout, Fault> {
+fn layout(at: &JsonNode<'_>) -> Result<ViewLayout, Fault> {
     let (mode, filter) = (mode(at)?, filter(at)?);
     let (count, stride) = (at.required_unsigned("count")?, at.required_unsigned("byteStride")?);
     let is_valid = match mode {
@@ -70,11 +70,11 @@ fn layout(at: &JsonNode<'_>) -> Result<Layout, Fault> {
         return Err(at.fault(format!("byteStride {stride} is not valid for the mode {}", at.text("mode"))));
     }
     let fits = match filter {
-        Filter::None => true,
+        ViewFilter::None => true,
         _ if mode != Mode::Attributes => false,
-        Filter::Octahedral | Filter::Color => matches!(stride, 4 | 8),
-        Filter::Quaternion => stride == 8,
-        Filter::Exponential => true,
+        ViewFilter::Octahedral | ViewFilter::Color => matches!(stride, 4 | 8),
+        ViewFilter::Quaternion => stride == 8,
+        ViewFilter::Exponential => true,
     };
     if !fits {
         let (filter, mode) = (at.text("filter"), at.text("mode"));
@@ -86,7 +86,7 @@ fn layout(at: &JsonNode<'_>) -> Result<Layout, Fault> {
     let Ok(count) = usize::try_from(count) else {
         return Err(at.fault(format!("{count} elements are more than can be handled")));
     };
-    Ok(Layout { mode, filter, count, stride: stride as usize })
+    Ok(ViewLayout { mode, filter, count, stride: stride as usize })
 }
 
 fn mode(at: &JsonNode<'_>) -> Result<Mode, Fault> {
@@ -98,24 +98,24 @@ fn mode(at: &JsonNode<'_>) -> Result<Mode, Fault> {
     }
 }
 
-fn filter(at: &JsonNode<'_>) -> Result<Filter, Fault> {
+fn filter(at: &JsonNode<'_>) -> Result<ViewFilter, Fault> {
     match at.text("filter") {
-        "" | "NONE" => Ok(Filter::None),
-        "OCTAHEDRAL" => Ok(Filter::Octahedral),
-        "QUATERNION" => Ok(Filter::Quaternion),
-        "EXPONENTIAL" => Ok(Filter::Exponential),
-        "COLOR" => Ok(Filter::Color),
+        "" | "NONE" => Ok(ViewFilter::None),
+        "OCTAHEDRAL" => Ok(ViewFilter::Octahedral),
+        "QUATERNION" => Ok(ViewFilter::Quaternion),
+        "EXPONENTIAL" => Ok(ViewFilter::Exponential),
+        "COLOR" => Ok(ViewFilter::Color),
         other => Err(at.fault(format!("no compression filter is called `{}`", shortened(other)))),
     }
 }
 
 #[cfg(not(feature = "meshopt"))]
-fn decode(_: Layout, _: &[u8]) -> Result<Vec<u8>, String> {
+fn decode(_: ViewLayout, _: &[u8]) -> Result<Vec<u8>, String> {
     Err("the feature is off".to_owned())
 }
 
 #[cfg(feature = "meshopt")]
-fn decode(layout: Layout, source: &[u8]) -> Result<Vec<u8>, String> {
+fn decode(layout: ViewLayout, source: &[u8]) -> Result<Vec<u8>, String> {
     if layout.count == 0 {
         return Ok(Vec::new());
     }
@@ -123,10 +123,10 @@ fn decode(layout: Layout, source: &[u8]) -> Result<Vec<u8>, String> {
 }
 
 #[cfg(feature = "meshopt")]
-fn decode_and_filter(layout: Layout, source: &[u8]) -> Result<Vec<u8>, meshoptimizer_rs::Error> {
+fn decode_and_filter(layout: ViewLayout, source: &[u8]) -> Result<Vec<u8>, meshoptimizer_rs::Error> {
     use meshoptimizer_rs::codec;
 
-    let Layout { mode, filter, count, stride } = layout;
+    let ViewLayout { mode, filter, count, stride } = layout;
     let workspace = &mut meshoptimizer_rs::Workspace::default();
     let mut bytes = match mode {
         Mode::Attributes => codec::decode_vertex_buffer(count, stride, source, workspace)?,
@@ -134,11 +134,11 @@ fn decode_and_filter(layout: Layout, source: &[u8]) -> Result<Vec<u8>, meshoptim
         Mode::Indices => codec::decode_index_sequence(count, stride, source, workspace)?,
     };
     match filter {
-        Filter::None => {}
-        Filter::Octahedral => codec::decode_filter_oct(&mut bytes, count, stride, workspace)?,
-        Filter::Quaternion => codec::decode_filter_quat(&mut bytes, count, stride, workspace)?,
-        Filter::Exponential => codec::decode_filter_exp(&mut bytes, count, stride, workspace)?,
-        Filter::Color => codec::decode_filter_color(&mut bytes, count, stride, workspace)?,
+        ViewFilter::None => {}
+        ViewFilter::Octahedral => codec::decode_filter_oct(&mut bytes, count, stride, workspace)?,
+        ViewFilter::Quaternion => codec::decode_filter_quat(&mut bytes, count, stride, workspace)?,
+        ViewFilter::Exponential => codec::decode_filter_exp(&mut bytes, count, stride, workspace)?,
+        ViewFilter::Color => codec::decode_filter_color(&mut bytes, count, stride, workspace)?,
     }
     Ok(bytes)
 }

@@ -77,7 +77,7 @@ pub(super) fn placed_nodes<'a>(root: &JsonNode<'a>) -> Result<Vec<PlacedNode<'a>
     let mut is_seen = vec![false; root.values("nodes")?.len()];
     let mut stack = roots(root)?;
     stack.reverse();
-    while let Some(Pending { index, parent, importance, from }) = stack.pop() {
+    while let Some(PendingNode { index, parent, importance, from }) = stack.pop() {
         let node = root.item("nodes", index, &from)?;
         let index = index as usize;
         if std::mem::replace(&mut is_seen[index], true) {
@@ -86,7 +86,7 @@ pub(super) fn placed_nodes<'a>(root: &JsonNode<'a>) -> Result<Vec<PlacedNode<'a>
         let matrix = parent * local_matrix(&node)?;
         let importance = importance::below(importance, &node);
         for child in node.entries("children")?.into_iter().rev() {
-            stack.push(Pending { index: child.as_unsigned()?, parent: matrix, importance, from: child });
+            stack.push(PendingNode { index: child.as_unsigned()?, parent: matrix, importance, from: child });
         }
         found.push(PlacedNode { index, node, matrix, importance });
     }
@@ -94,7 +94,7 @@ pub(super) fn placed_nodes<'a>(root: &JsonNode<'a>) -> Result<Vec<PlacedNode<'a>
 }
 
 /// Node that has not been visited yet.
-struct Pending<'a> {
+struct PendingNode<'a> {
     index: u64,
     /// Transform of the parent.
     parent: DMat4,
@@ -104,20 +104,20 @@ struct Pending<'a> {
     from: JsonNode<'a>,
 }
 
-impl<'a> Pending<'a> {
+impl<'a> PendingNode<'a> {
     fn root(index: u64, from: JsonNode<'a>) -> Self {
         Self { index, parent: DMat4::IDENTITY, importance: 1.0, from }
     }
 }
 
 /// Returns the roots of the default scene, or of the first; without scenes, the nodes without a parent.
-fn roots<'a>(root: &JsonNode<'a>) -> Result<Vec<Pending<'a>>, Fault> {
+fn roots<'a>(root: &JsonNode<'a>) -> Result<Vec<PendingNode<'a>>, Fault> {
     let scene = match root.get("scene") {
         Some(at) => Some(root.item("scenes", at.as_unsigned()?, &at)?),
         None => root.entries("scenes")?.into_iter().next(),
     };
     if let Some(scene) = scene {
-        let entry = |at: JsonNode<'a>| Ok(Pending::root(at.as_unsigned()?, at));
+        let entry = |at: JsonNode<'a>| Ok(PendingNode::root(at.as_unsigned()?, at));
         return scene.entries("nodes")?.into_iter().map(entry).collect();
     }
     let nodes = root.entries("nodes")?;
@@ -130,7 +130,7 @@ fn roots<'a>(root: &JsonNode<'a>) -> Result<Vec<Pending<'a>>, Fault> {
         }
     }
     let is_root = |&(index, _): &(usize, &JsonNode<'a>)| !is_child[index];
-    let entry = |(index, node): (usize, &JsonNode<'a>)| Pending::root(index as u64, node.clone());
+    let entry = |(index, node): (usize, &JsonNode<'a>)| PendingNode::root(index as u64, node.clone());
     Ok(nodes.iter().enumerate().filter(is_root).map(entry).collect())
 }
 

@@ -22,7 +22,7 @@ pub(super) fn shaded(mesh: &IndexedMesh) -> Cow<'_, IndexedMesh> {
         return Cow::Borrowed(mesh);
     }
     let mut is_closed = false;
-    let mut out = match Edges::of(mesh) {
+    let mut out = match PositionEdges::of(mesh) {
         Some(edges) => {
             is_closed = edges.is_closed;
             if has_normals { mesh.clone() } else { with_normals(mesh, &edges) }
@@ -56,7 +56,7 @@ fn add_material(mesh: &mut IndexedMesh, is_closed: bool) {
 }
 
 /// Edges of a mesh between positions.
-struct Edges {
+struct PositionEdges {
     /// Sides of triangles, sorted: the ends of the edge as positions, the lower first, and the corner where it
     /// begins.
     sides: Vec<([u32; 2], u32)>,
@@ -65,7 +65,7 @@ struct Edges {
     is_closed: bool,
 }
 
-impl Edges {
+impl PositionEdges {
     /// [`None`] if the mesh is inconsistent, which the writer reports.
     fn of(mesh: &IndexedMesh) -> Option<Self> {
         mesh.check().ok()?;
@@ -89,10 +89,10 @@ fn next(corner: u32) -> u32 {
     if corner % 3 == 2 { corner - 2 } else { corner + 1 }
 }
 
-fn with_normals(mesh: &IndexedMesh, edges: &Edges) -> IndexedMesh {
+fn with_normals(mesh: &IndexedMesh, edges: &PositionEdges) -> IndexedMesh {
     let corners = mesh.triangles.as_flattened();
     let normals: Vec<[f32; 3]> = mesh.triangles.iter().map(|&t| of_triangle(&mesh.positions, t)).collect();
-    let mut smooth = Corners((0..corners.len() as u32).collect());
+    let mut smooth = CornerSets((0..corners.len() as u32).collect());
     let least_cosine = CREASE.to_radians().cos() as f32;
     for edge in edges.sides.chunk_by(|a, b| a.0 == b.0) {
         let &[(_, a), (_, b)] = edge else { continue };
@@ -154,9 +154,9 @@ fn with_normals(mesh: &IndexedMesh, edges: &Edges) -> IndexedMesh {
 }
 
 /// Sets of corners with one normal.
-struct Corners(Vec<u32>);
+struct CornerSets(Vec<u32>);
 
-impl Corners {
+impl CornerSets {
     fn find(&mut self, mut corner: u32) -> u32 {
         while self.0[corner as usize] != corner {
             self.0[corner as usize] = self.0[self.0[corner as usize] as usize];

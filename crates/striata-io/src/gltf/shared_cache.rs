@@ -40,12 +40,12 @@ impl UnpackedCache {
 
 /// Items by numbers.
 pub(crate) struct SharedCache<T> {
-    items: Mutex<BTreeMap<u64, Item<T>>>,
+    items: Mutex<BTreeMap<u64, CachedItem<T>>>,
     reads: AtomicU64,
     kept_reads: u64,
 }
 
-struct Item<T> {
+struct CachedItem<T> {
     /// Locked while the item is decoded.
     slot: Arc<Mutex<Option<Arc<T>>>>,
     /// Size in bytes; 0 until it is decoded.
@@ -94,7 +94,8 @@ impl<T> SharedCache<T> {
     fn slot(&self, number: u64) -> Arc<Mutex<Option<Arc<T>>>> {
         let last_read = self.reads.load(Ordering::Relaxed);
         let mut items = locked(&self.items);
-        let item = items.entry(number).or_insert_with(|| Item { slot: Arc::default(), bytes: 0, last_read });
+        let item =
+            items.entry(number).or_insert_with(|| CachedItem { slot: Arc::default(), bytes: 0, last_read });
         item.last_read = last_read;
         Arc::clone(&item.slot)
     }

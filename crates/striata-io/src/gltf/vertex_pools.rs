@@ -22,7 +22,7 @@ const SAMPLE: u64 = 64;
 
 /// Vertex of a mesh.
 #[derive(Clone, Copy)]
-struct Place {
+struct PooledVertex {
     mesh: usize,
     vertex: usize,
 }
@@ -51,11 +51,11 @@ pub(super) fn pools(meshes: &[(usize, &IndexedMesh)]) -> Vec<Pool> {
 /// Returns the sets of meshes that have vertices in common and are worth it, judged by one of `every` vertices.
 fn sets_worth(meshes: &[(usize, &IndexedMesh)], candidates: &[usize], every: u64) -> Vec<Vec<usize>> {
     let mut sets = Sets::new(meshes.len());
-    let mut first_at: HashMap<u64, Place> = HashMap::new();
+    let mut first_at: HashMap<u64, PooledVertex> = HashMap::new();
     let mut counts: Vec<[usize; 2]> = vec![[0; 2]; meshes.len()];
     for &mesh in candidates {
         for vertex in 0..meshes[mesh].1.vertex_count() {
-            let own = Place { mesh, vertex };
+            let own = PooledVertex { mesh, vertex };
             let hash = hash_of(meshes, own);
             if !hash.is_multiple_of(every) {
                 continue;
@@ -91,7 +91,7 @@ fn sets_worth(meshes: &[(usize, &IndexedMesh)], candidates: &[usize], every: u64
 }
 
 fn pool(meshes: &[(usize, &IndexedMesh)], set: &[usize]) -> Pool {
-    let mut first_at: HashMap<u64, (Place, u32)> = HashMap::new();
+    let mut first_at: HashMap<u64, (PooledVertex, u32)> = HashMap::new();
     let layers = meshes[set[0]].1.layers.iter().map(empty_like).collect();
     let mut vertices = IndexedMesh { layers, ..IndexedMesh::default() };
     let mut members = Vec::new();
@@ -100,7 +100,7 @@ fn pool(meshes: &[(usize, &IndexedMesh)], set: &[usize]) -> Pool {
         let mut added = Vec::new();
         let mut next = vertices.vertex_count() as u32;
         let numbers = (0..source.vertex_count()).map(|vertex| {
-            let own = Place { mesh, vertex };
+            let own = PooledVertex { mesh, vertex };
             let hash = hash_of(meshes, own);
             match first_at.get(&hash) {
                 Some(&(first, number)) if are_equal(meshes, first, own) => return number,
@@ -138,7 +138,7 @@ fn bytes_of(layer: &AttributeLayer, vertex: usize) -> &[u8] {
     layer.data.as_bytes().get(vertex * size..(vertex + 1) * size).unwrap_or(&[])
 }
 
-fn hash_of(meshes: &[(usize, &IndexedMesh)], place: Place) -> u64 {
+fn hash_of(meshes: &[(usize, &IndexedMesh)], place: PooledVertex) -> u64 {
     let (mesh, vertex) = (meshes[place.mesh].1, place.vertex);
     let mut hasher = DefaultHasher::new();
     hasher.write(bytemuck::bytes_of(&mesh.positions[vertex]));
@@ -150,7 +150,7 @@ fn hash_of(meshes: &[(usize, &IndexedMesh)], place: Place) -> u64 {
 }
 
 /// Whether two vertices have the same layers with the same bits.
-fn are_equal(meshes: &[(usize, &IndexedMesh)], a: Place, b: Place) -> bool {
+fn are_equal(meshes: &[(usize, &IndexedMesh)], a: PooledVertex, b: PooledVertex) -> bool {
     let (first, second) = (meshes[a.mesh].1, meshes[b.mesh].1);
     let bits = |mesh: &IndexedMesh, vertex: usize| mesh.positions[vertex].map(f32::to_bits);
     bits(first, a.vertex) == bits(second, b.vertex)

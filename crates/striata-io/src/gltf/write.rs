@@ -245,7 +245,7 @@ fn primitive(attributes: &Attributes, indices: usize, mode: u32, material: Optio
 }
 
 /// Indices of a primitive.
-struct IndexList {
+struct PrimitiveIndices {
     /// Primitive mode of glTF.
     mode: u32,
     group: usize,
@@ -257,14 +257,14 @@ fn index_lists(
     mesh: &IndexedMesh,
     groups: &[TriangleGroup],
     options: &WriteOptions,
-) -> Result<Vec<IndexList>, Refusal> {
+) -> Result<Vec<PrimitiveIndices>, Refusal> {
     if let Some(fans) = &options.fans {
         check_groups("groups of fans", fans.len(), groups)?;
         let of_group = |(group, fans): (usize, &Vec<Vec<u32>>)| {
-            let list = |fan: &Vec<u32>| IndexList { mode: TRIANGLE_FAN, group, indices: fan.clone() };
+            let list = |fan: &Vec<u32>| PrimitiveIndices { mode: TRIANGLE_FAN, group, indices: fan.clone() };
             fans.iter().map(list).collect::<Vec<_>>()
         };
-        let lists: Vec<IndexList> = fans.iter().enumerate().flat_map(of_group).collect();
+        let lists: Vec<PrimitiveIndices> = fans.iter().enumerate().flat_map(of_group).collect();
         check_lists("fan", lists.iter().map(|list| &list.indices[..]), mesh)?;
         return Ok(lists);
     }
@@ -275,10 +275,10 @@ fn index_lists(
     let strip_of =
         |group: usize| options.strips.as_ref().map(|strips| &strips[group]).filter(|s| !s.is_empty());
     let lists = groups.iter().enumerate().map(|(group, triangles)| match strip_of(group) {
-        Some(strip) => IndexList { mode: TRIANGLE_STRIP, group, indices: strip.clone() },
+        Some(strip) => PrimitiveIndices { mode: TRIANGLE_STRIP, group, indices: strip.clone() },
         None => {
             let indices = mesh.triangles[triangles.range()].as_flattened().to_vec();
-            IndexList { mode: TRIANGLES, group, indices }
+            PrimitiveIndices { mode: TRIANGLES, group, indices }
         }
     });
     Ok(lists.collect())

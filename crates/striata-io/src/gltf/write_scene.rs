@@ -80,14 +80,14 @@ fn document(
 
 /// Meshes that were written, so that equal ones have the same accessors.
 #[derive(Default)]
-struct Written<'m> {
+struct WrittenMeshes<'m> {
     /// The first mesh with some vertices and its accessors, by fingerprint.
     vertices: HashMap<u64, (usize, &'m IndexedMesh)>,
     /// A mesh with some vertices and triangles, and the accessors of its indices, by fingerprints.
     indices: HashMap<[u64; 2], (&'m IndexedMesh, Vec<Option<usize>>)>,
 }
 
-impl<'m> Written<'m> {
+impl<'m> WrittenMeshes<'m> {
     /// Remembers a mesh; returns the mesh that has its vertices, which may be itself, and the accessors of its
     /// indices if they are those of another one.
     fn find(&mut self, index: usize, mesh: &'m IndexedMesh) -> (usize, Option<Vec<Option<usize>>>, [u64; 2]) {
@@ -166,7 +166,7 @@ fn put_meshes(
 ) -> Result<(), Refusal> {
     let meshes = if is_sorted { &in_cache_order(writer)[..] } else { writer.scene.meshes() };
     let mut vertices: BTreeMap<usize, Rc<Attributes>> = BTreeMap::new();
-    let mut written = Written::default();
+    let mut written = WrittenMeshes::default();
     let pools = pools_of(writer, meshes);
     let mut pool_of: BTreeMap<usize, (usize, &[u32])> = BTreeMap::new();
     for (number, pool) in pools.iter().enumerate() {

@@ -3,7 +3,7 @@
 use striata::mesh::{Appearance, AttributeLayer, IndexedMesh, Semantic, TriangleGroup};
 
 use super::corners::{Corner, NONE, Tables};
-use super::{Reader, libraries};
+use super::{ObjReader, libraries};
 use crate::Source;
 use crate::error::Fault;
 use crate::report::Warnings;
@@ -53,7 +53,7 @@ pub(crate) fn read_batches(
     mut visit: impl FnMut(Batch),
 ) -> Result<Outline, Fault> {
     let mut cursor = Cursor::new(trimmed(bytes)).with_continuation();
-    let (mut reader, mut seen, mut count) = (Reader::of_file(source.name), Seen::default(), 0);
+    let (mut reader, mut seen, mut count) = (ObjReader::of_file(source.name), Seen::default(), 0);
     while !cursor.at_end() {
         reader.statement(&mut cursor)?;
         count += 1;
@@ -72,7 +72,7 @@ pub(crate) fn read_batches(
     Ok(Outline { has_long_coordinates: cursor.has_long_coordinates(), ..outline })
 }
 
-impl Reader {
+impl ObjReader {
     /// Takes the content of the tables.
     fn take(&mut self, seen: &mut Seen) -> Batch {
         self.taken = self.counts();

@@ -60,7 +60,7 @@ pub(super) struct Converter<'c, 'a> {
 impl Converter<'_, '_> {
     /// Returns a definition as a glTF material.
     pub(super) fn material(&mut self, definition: &Definition, origin: Origin<'_>) -> Value {
-        let mut material = Material { definition, origin, converter: self, out: serde_json::Map::new() };
+        let mut material = MaterialDraft { definition, origin, converter: self, out: serde_json::Map::new() };
         material.out.insert("name".to_owned(), json!(definition.name));
         let base_color = material.base_color();
         let (base_color, alpha) = material.alpha(base_color);
@@ -75,14 +75,14 @@ impl Converter<'_, '_> {
 }
 
 /// A material under construction.
-struct Material<'m, 'c, 'a> {
+struct MaterialDraft<'m, 'c, 'a> {
     definition: &'m Definition,
     origin: Origin<'m>,
     converter: &'m mut Converter<'c, 'a>,
     out: serde_json::Map<String, Value>,
 }
 
-impl<'m> Material<'m, '_, '_> {
+impl<'m> MaterialDraft<'m, '_, '_> {
     fn warn(&mut self, line: u64, reason: String) {
         self.converter.warnings.push_for(self.origin.file, Place::Line(line), reason);
     }

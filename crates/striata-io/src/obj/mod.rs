@@ -46,7 +46,7 @@ use libraries::LibraryStatement;
 
 /// State of the reader after some statements.
 #[derive(Default)]
-struct Reader {
+struct ObjReader {
     tables: Tables,
     /// Three corners per triangle.
     corners: Vec<Corner>,
@@ -76,7 +76,7 @@ struct Reader {
 pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
     let bytes = &*plain(bytes);
     let mut cursor = Cursor::new(bytes).with_continuation();
-    let mut reader = Reader::of_file(source.name);
+    let mut reader = ObjReader::of_file(source.name);
     while !cursor.at_end() {
         reader.statement(&mut cursor)?;
         cursor.next_line();
@@ -107,7 +107,7 @@ pub(crate) fn visit_coordinates(bytes: &[u8], mut visit: impl FnMut([f64; 3])) {
     }
 }
 
-impl Reader {
+impl ObjReader {
     fn of_file(name: &str) -> Self {
         Self { warnings: Warnings::of_file(name), ..Self::default() }
     }

@@ -69,7 +69,7 @@ pub(super) enum MapKind {
 }
 
 /// Reader of one library.
-struct Reader<'r> {
+struct MtlReader<'r> {
     library: Library,
     /// Names of the materials that are kept.
     wanted: &'r BTreeSet<&'r str>,
@@ -83,7 +83,7 @@ struct Reader<'r> {
 pub(super) fn parse(bytes: &[u8], wanted: &BTreeSet<&str>, file: &str, warnings: &mut Warnings) -> Library {
     let mut cursor = Cursor::new(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes));
     let library = Library::default();
-    let mut reader = Reader { library, wanted, known: BTreeSet::new(), is_open: false };
+    let mut reader = MtlReader { library, wanted, known: BTreeSet::new(), is_open: false };
     while !cursor.at_end() {
         if let Err(Fault::Malformed(place, reason)) = reader.statement(&mut cursor) {
             warnings.push_for(file, place, format!("{reason}; the statement is skipped"));
@@ -93,7 +93,7 @@ pub(super) fn parse(bytes: &[u8], wanted: &BTreeSet<&str>, file: &str, warnings:
     reader.library
 }
 
-impl Reader<'_> {
+impl MtlReader<'_> {
     fn statement(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
         if cursor.at_line_end() {
             return Ok(());

@@ -2,7 +2,7 @@
 //!
 //! This code is out of the way of the usual statements, whose speed is measured.
 
-use super::Reader;
+use super::ObjReader;
 use super::corners::NONE;
 use crate::error::{Fault, Place};
 use crate::report::{Kind, Warnings};
@@ -51,7 +51,7 @@ const IGNORED: [&[u8]; 27] = [
     b"call",
 ];
 
-impl Reader {
+impl ObjReader {
     /// Skips a statement that makes no triangle, or that does not exist.
     #[cold]
     pub(super) fn other_statement(&mut self, word: &[u8], cursor: &Cursor<'_>) {

@@ -21,7 +21,7 @@ const CORNER_BYTES: usize = 12;
 
 /// OBJ file whose tables are in temporary files.
 pub(crate) struct ObjPieces {
-    tables: Tables<Mapped>,
+    tables: ObjTables<Mapped>,
     summary: PieceSummary,
     /// First triangle and group of each run of triangles; no runs if there is one group.
     runs: Vec<(usize, u32)>,
@@ -30,7 +30,7 @@ pub(crate) struct ObjPieces {
 }
 
 /// Tables of a file.
-struct Tables<T> {
+struct ObjTables<T> {
     positions: T,
     colors: T,
     texcoords: T,
@@ -40,8 +40,8 @@ struct Tables<T> {
 }
 
 /// Tables that are being written.
-struct Writer {
-    tables: Tables<Spool>,
+struct ObjTableWriter {
+    tables: ObjTables<Spool>,
     position_count: usize,
     used: Used,
 }
@@ -80,7 +80,7 @@ impl ObjPieces {
     /// Reads a file once.
     pub(crate) fn open(mut input: Input, options: &PieceOptions) -> Result<Self, ReadError> {
         input.make_plain_text(options)?;
-        let mut writer = Writer::new(options)?;
+        let mut writer = ObjTableWriter::new(options)?;
         let mut warnings = Warnings::of_file(&input.name);
         let mut outline =
             read_batches(&input.bytes, &input.source(), &mut warnings, |batch| writer.add(&batch))
@@ -255,10 +255,10 @@ fn word(bytes: &[u8]) -> u32 {
     u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]])
 }
 
-impl Writer {
+impl ObjTableWriter {
     fn new(options: &PieceOptions) -> Result<Self, ReadError> {
         let spool = || Spool::new(options);
-        let tables = Tables {
+        let tables = ObjTables {
             positions: spool()?,
             colors: spool()?,
             texcoords: spool()?,
@@ -319,9 +319,9 @@ impl Used {
     }
 }
 
-impl Tables<Spool> {
-    fn finish(self, options: &PieceOptions) -> Result<Tables<Mapped>, ReadError> {
-        Ok(Tables {
+impl ObjTables<Spool> {
+    fn finish(self, options: &PieceOptions) -> Result<ObjTables<Mapped>, ReadError> {
+        Ok(ObjTables {
             positions: self.positions.finish(options)?,
             colors: self.colors.finish(options)?,
             texcoords: self.texcoords.finish(options)?,

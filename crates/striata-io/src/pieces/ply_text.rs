@@ -86,7 +86,7 @@ fn write_body(rows: &mut AsciiRows<'_>, header: &Header, spool: &mut Spool) -> R
         match (element.name.as_str(), index_list(element)) {
             ("vertex", _) => write_vertices(element, rows, spool)?,
             ("face", Some(list)) => {
-                let mut face = Face::default();
+                let mut face = TextFace::default();
                 for _ in 0..element.count {
                     face.read((element, list), vertex_count, rows)?;
                     let count = face.write(spool);
@@ -122,14 +122,14 @@ fn write_vertices(element: &Element, rows: &mut AsciiRows<'_>, spool: &mut Spool
 
 /// A face; the lists are kept only for their memory.
 #[derive(Default)]
-struct Face {
+struct TextFace {
     /// Rows of indices of its triangles.
     triangles: Vec<[u8; 13]>,
     /// Its other numbers.
     values: Vec<u8>,
 }
 
-impl Face {
+impl TextFace {
     fn read(
         &mut self,
         (element, list): (&Element, usize),

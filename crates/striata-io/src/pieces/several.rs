@@ -14,11 +14,11 @@ use crate::{ReadError, Warning};
 /// The layers that all inputs have are kept; the summary's warnings name the others. Groups, materials and
 /// images are those of the first input, then of the second, and so on.
 pub struct Several {
-    inputs: Vec<Part>,
+    inputs: Vec<InputPart>,
     summary: PieceSummary,
 }
 
-struct Part {
+struct InputPart {
     source: Box<dyn PieceSource>,
     /// Number of pieces of the inputs before this one.
     first_piece: u64,
@@ -90,7 +90,7 @@ impl Several {
             let first_group = summary.groups.len() as u32;
             let layers = add(&mut summary, source.summary(), &name);
             let piece_count = source.piece_count();
-            inputs.push(Part { source, first_piece, first_group, layers });
+            inputs.push(InputPart { source, first_piece, first_group, layers });
             first_piece += piece_count;
         }
         Ok(Self { inputs, summary })

@@ -39,7 +39,7 @@ pub(super) fn convert(
 }
 
 /// A text that has been converted.
-struct Written {
+struct ConvertedText {
     spool: Spool,
     solids: Solids,
     /// Coordinates of some corners.
@@ -52,7 +52,7 @@ fn write_facets(
     origin: [f64; 3],
     options: &PieceOptions,
     warnings: &mut Warnings,
-) -> Result<Written, ReadError> {
+) -> Result<ConvertedText, ReadError> {
     /// Number of corners that an origin is chosen from.
     const SAMPLES: usize = 1 << 16;
     let mut spool = Spool::new(options)?;
@@ -86,5 +86,5 @@ fn write_facets(
     });
     let has_long_coordinates = visited.map_err(|fault| fault.in_file(&input.name))?;
     spool.replace(HEADER_BYTES as u64 - 4, &count.to_le_bytes());
-    Ok(Written { spool, solids, sample, has_long_coordinates })
+    Ok(ConvertedText { spool, solids, sample, has_long_coordinates })
 }

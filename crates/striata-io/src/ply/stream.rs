@@ -305,7 +305,7 @@ impl PlyStream {
         let Some(element) = self.header.elements.iter().find(|e| e.name == "face") else { return Ok(()) };
         let mut file = self.file();
         file.seek(SeekFrom::Start(self.faces_offset)).map_err(|e| self.io(e))?;
-        let mut reader = Faces {
+        let mut reader = FaceRows {
             stream: self,
             bytes: BufReader::with_capacity(PIECE_BYTES, file),
             at: self.faces_offset,
@@ -415,7 +415,7 @@ fn axes_of(vertex: &Element, at: u64) -> Result<[(usize, Scalar); 3], Fault> {
 }
 
 /// Reads face rows one after another.
-struct Faces<'a> {
+struct FaceRows<'a> {
     stream: &'a PlyStream,
     bytes: BufReader<FileView>,
     /// Offset of the next byte.
@@ -423,7 +423,7 @@ struct Faces<'a> {
     is_big: bool,
 }
 
-impl Faces<'_> {
+impl FaceRows<'_> {
     /// Reads rows of the usual form, three 32-bit indices after one length byte, as far as they are in
     /// memory. Stops at the first other row and returns the number of rows read.
     fn plain_triangles(

@@ -34,7 +34,7 @@ type ObjectKey = (usize, u32);
 
 /// Source of a material.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Look {
+enum MaterialSource {
     /// Entry of base materials: part, group, entry.
     Base(usize, u32, u32),
     /// Image of a texture group: part and image.
@@ -51,7 +51,7 @@ struct SceneBuilder<'p, 'a, 'w> {
     triangles: Vec<Option<IndexedMesh>>,
     mesh_of: BTreeMap<ObjectKey, Option<usize>>,
     appearance: Appearance,
-    material_of: BTreeMap<Look, u32>,
+    material_of: BTreeMap<MaterialSource, u32>,
     image_of: BTreeMap<String, Option<usize>>,
     budget: ImageBudget,
 }
@@ -207,7 +207,7 @@ impl SceneBuilder<'_, '_, '_> {
         let properties = &self.parts[part].1.properties;
         let (look, material) = match properties.get(&group)? {
             Property::Materials(entries) => {
-                let look = Look::Base(part, group, entry);
+                let look = MaterialSource::Base(part, group, entry);
                 if let Some(&known) = self.material_of.get(&look) {
                     return Some(known);
                 }
@@ -218,7 +218,7 @@ impl SceneBuilder<'_, '_, '_> {
                 (look, material_of(name, *color))
             }
             Property::Texture(texture) => {
-                let look = Look::Texture(part, texture.texture);
+                let look = MaterialSource::Texture(part, texture.texture);
                 if let Some(&known) = self.material_of.get(&look) {
                     return Some(known);
                 }

@@ -162,13 +162,13 @@ fn push_materials(out: &mut Vec<u8>, document: &Value) -> bool {
 }
 
 /// Colors of a mesh: the group, and the entry of each vertex.
-struct Colors {
+struct MeshColors {
     group: u32,
     entries: Vec<u32>,
 }
 
 /// Writes the distinct colors of the vertices as a group.
-fn push_colors(out: &mut Vec<u8>, mesh: &IndexedMesh, next_id: &mut u32) -> Option<Colors> {
+fn push_colors(out: &mut Vec<u8>, mesh: &IndexedMesh, next_id: &mut u32) -> Option<MeshColors> {
     let layer = mesh.layer(&Semantic::Color(0)).filter(|layer| matches!(layer.component_count, 3 | 4))?;
     let group = *next_id;
     *next_id += 1;
@@ -184,7 +184,7 @@ fn push_colors(out: &mut Vec<u8>, mesh: &IndexedMesh, next_id: &mut u32) -> Opti
     });
     let entries = entries.collect();
     push(out, "</m:colorgroup>\n");
-    Some(Colors { group, entries })
+    Some(MeshColors { group, entries })
 }
 
 /// Returns an sRGB color with alpha.
@@ -208,7 +208,7 @@ fn push_object(
     mesh: &IndexedMesh,
     (id, name): (u32, &str),
     materials: &[Option<usize>],
-    colors: Option<&Colors>,
+    colors: Option<&MeshColors>,
 ) {
     let name = if name.is_empty() { String::new() } else { format!(" name=\"{}\"", escaped(name)) };
     push(out, &format!("<object id=\"{id}\" type=\"model\"{name}>\n<mesh>\n<vertices>\n"));
@@ -228,7 +228,7 @@ fn push_object(
         let material = materials.get(group).copied().flatten();
         for &[a, b, c] in &mesh.triangles[triangles.range()] {
             let property = match (colors, material) {
-                (Some(Colors { group, entries }), _) => {
+                (Some(MeshColors { group, entries }), _) => {
                     let [a, b, c] = [a, b, c].map(|vertex| entries[vertex as usize]);
                     if a == b && b == c {
                         format!(" pid=\"{group}\" p1=\"{a}\"")

@@ -22,7 +22,7 @@ struct LegacyReader<'a, 'w> {
     untyped: Option<CellList>,
     /// Cells of poly data, by type, since their order in the file is free.
     poly_cells: [Option<CellList>; 4],
-    section: Section,
+    section: LegacySection,
     warnings: &'w mut Warnings,
 }
 
@@ -36,7 +36,7 @@ struct CellList {
 
 /// Part of the file that the arrays that follow belong to.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Section {
+enum LegacySection {
     File,
     Points(usize),
     Cells(usize),
@@ -71,7 +71,7 @@ pub(super) fn read(bytes: &[u8], warnings: &mut Warnings) -> Result<Grid, Fault>
         grid: Grid::default(),
         untyped: None,
         poly_cells: Default::default(),
-        section: Section::File,
+        section: LegacySection::File,
         warnings,
     };
     let mut has_data_set = false;
@@ -120,11 +120,11 @@ impl<'a> LegacyReader<'a, '_> {
             }
             b"CELL_TYPES" => self.cell_types(),
             b"POINT_DATA" => {
-                self.section = Section::Points(self.count("points")?);
+                self.section = LegacySection::Points(self.count("points")?);
                 Ok(())
             }
             b"CELL_DATA" => {
-                self.section = Section::Cells(self.count("cells")?);
+                self.section = LegacySection::Cells(self.count("cells")?);
                 Ok(())
             }
             b"SCALARS" => self.scalars(),
@@ -359,9 +359,9 @@ impl<'a> LegacyReader<'a, '_> {
 
     fn keep(&mut self, array: Array) {
         match self.section {
-            Section::Points(_) => self.grid.point_data.push(array),
-            Section::Cells(_) => self.grid.cell_data.push(array),
-            Section::File => {
+            LegacySection::Points(_) => self.grid.point_data.push(array),
+            LegacySection::Cells(_) => self.grid.cell_data.push(array),
+            LegacySection::File => {
                 let reason = format!("data `{}` of the whole file are left out", array.name);
                 self.warnings.push(self.place(), reason);
             }
@@ -369,7 +369,7 @@ impl<'a> LegacyReader<'a, '_> {
     }
 
     fn tuple_count(&self, written: Option<usize>) -> usize {
-        let (Section::Points(count) | Section::Cells(count)) = self.section else {
+        let (LegacySection::Points(count) | LegacySection::Cells(count)) = self.section else {
             return written.unwrap_or(0);
         };
         written.unwrap_or(count)

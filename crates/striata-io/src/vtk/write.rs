@@ -12,13 +12,13 @@ use crate::report::Warnings;
 /// An array of a file, with big- or little-endian bytes.
 struct NamedArray {
     name: String,
-    role: Role,
+    role: ArrayRole,
     component_count: u8,
     data: Data,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Role {
+enum ArrayRole {
     Normals,
     TexCoords,
     Colors,
@@ -106,17 +106,17 @@ fn array_of(layer: &AttributeLayer) -> NamedArray {
     let values = || (0..layer.data.len()).map(|i| layer.get(i / width, i % width));
     let (name, role, data) = match &layer.semantic {
         Semantic::Normal if width == 3 => {
-            ("Normals".to_owned(), Role::Normals, Data::Floats(values().collect()))
+            ("Normals".to_owned(), ArrayRole::Normals, Data::Floats(values().collect()))
         }
         Semantic::TexCoord(0) if width == 2 => {
             // The origin of VTK's texture coordinates is at the bottom left.
             let flipped = (0..vertex_count).flat_map(|v| [layer.get(v, 0), 1.0 - layer.get(v, 1)]);
-            ("TCoords".to_owned(), Role::TexCoords, Data::Floats(flipped.collect()))
+            ("TCoords".to_owned(), ArrayRole::TexCoords, Data::Floats(flipped.collect()))
         }
         Semantic::Color(0) if matches!(width, 3 | 4) => {
             let name = if width == 3 { "RGB" } else { "RGBA" };
             let bytes = values().map(|x| (x.clamp(0.0, 1.0) * 255.0).round() as u8);
-            (name.to_owned(), Role::Colors, Data::Layer(LayerData::U8(bytes.collect())))
+            (name.to_owned(), ArrayRole::Colors, Data::Layer(LayerData::U8(bytes.collect())))
         }
         semantic => {
             let name = match semantic {
@@ -128,7 +128,7 @@ fn array_of(layer: &AttributeLayer) -> NamedArray {
             } else {
                 Data::Layer(layer.data.clone())
             };
-            (name, Role::Other, data)
+            (name, ArrayRole::Other, data)
         }
     };
     NamedArray { name, role, component_count: layer.component_count, data }
@@ -166,10 +166,10 @@ fn legacy_data(out: &mut Vec<u8>, arrays: &[NamedArray], count: usize) {
         let NamedArray { name, role, component_count, data } = array;
         let name = encoded_name(name);
         match role {
-            Role::Normals => push(out, &format!("NORMALS {name} float\n"), data),
-            Role::TexCoords => push(out, &format!("TEXTURE_COORDINATES {name} 2 float\n"), data),
-            Role::Colors => push(out, &format!("COLOR_SCALARS {name} {component_count}\n"), data),
-            Role::Other => {
+            ArrayRole::Normals => push(out, &format!("NORMALS {name} float\n"), data),
+            ArrayRole::TexCoords => push(out, &format!("TEXTURE_COORDINATES {name} 2 float\n"), data),
+            ArrayRole::Colors => push(out, &format!("COLOR_SCALARS {name} {component_count}\n"), data),
+            ArrayRole::Other => {
                 let [_, kind] = data.type_names();
                 others.push((format!("{name} {component_count} {count} {kind}\n"), data));
             }
@@ -194,7 +194,7 @@ fn xml(mesh: &IndexedMesh, [arrays, of_cells]: &[Vec<NamedArray>; 2], kind: &str
          header_type=\"UInt64\">\n<{kind}>\n<Piece NumberOfPoints=\"{vertex_count}\" {count_name}=\"{triangle_count}\">\n<PointData"
     );
     for (attribute, role) in
-        [("Normals", Role::Normals), ("TCoords", Role::TexCoords), ("Scalars", Role::Colors)]
+        [("Normals", ArrayRole::Normals), ("TCoords", ArrayRole::TexCoords), ("Scalars", ArrayRole::Colors)]
     {
         if let Some(array) = arrays.iter().find(|array| array.role == role) {
             out += &format!(" {attribute}=\"{}\"", escaped(&array.name));

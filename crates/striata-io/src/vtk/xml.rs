@@ -26,14 +26,14 @@ struct XmlReader<'a, 'w> {
     /// Bytes after the underscore of the appended data, and whether they are base64.
     appended: Option<(&'a [u8], bool)>,
     grid: Grid,
-    piece: Piece,
+    piece: PieceArrays,
     piece_count: usize,
     warnings: &'w mut Warnings,
 }
 
 /// Arrays of a piece.
 #[derive(Default)]
-struct Piece {
+struct PieceArrays {
     points: Option<(Values, usize)>,
     point_count: usize,
     /// Arrays of the elements with cells: the element, the name of the array, and the numbers.
@@ -56,7 +56,7 @@ pub(super) fn read(bytes: &[u8], warnings: &mut Warnings) -> Result<Grid, Fault>
         storage: Storage::default(),
         appended,
         grid: Grid::default(),
-        piece: Piece::default(),
+        piece: PieceArrays::default(),
         piece_count: 0,
         warnings,
     };
@@ -141,7 +141,7 @@ impl<'a> XmlReader<'a, '_> {
             b"Piece" => {
                 let count =
                     |name: &str| attribute(name).and_then(|text| text.trim().parse().ok()).unwrap_or(0);
-                self.piece = Piece { point_count: count("NumberOfPoints"), ..Piece::default() };
+                self.piece = PieceArrays { point_count: count("NumberOfPoints"), ..PieceArrays::default() };
             }
             b"PointData" => {
                 self.piece.roles = ["Normals", "TCoords"].map(|name| attribute(name).unwrap_or_default());

@@ -36,7 +36,7 @@ pub(super) struct MeasuredLevel {
 }
 
 /// Positions of all vertices in a pose.
-struct PosedMesh {
+struct PosedPositions {
     positions: Vec<[f32; 3]>,
     /// Units of the positions per mesh unit.
     scale: f64,
@@ -53,7 +53,7 @@ pub(super) fn measured_levels(
 ) -> Result<Vec<MeasuredLevel>, Cancelled> {
     let vertices = refinable.mesh.vertex_count().max(1);
     let count = (EXAMINED_VERTICES / vertices).max(MIN_POSES).min(MAX_EXAMINED_VERTICES / vertices);
-    let posed = poses.iter().take(count).map(|posed| PosedMesh {
+    let posed = poses.iter().take(count).map(|posed| PosedPositions {
         positions: posed.positions(poser, &refinable.mesh),
         scale: posed.scale(),
         rank: 0.0,
@@ -75,7 +75,7 @@ pub(super) fn measured_levels(
 
 struct LevelMeter<'r> {
     refinable: &'r RefinableMesh,
-    posed: Vec<PosedMesh>,
+    posed: Vec<PosedPositions>,
     walk: LevelWalk,
 }
 

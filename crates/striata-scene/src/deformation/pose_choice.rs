@@ -65,7 +65,7 @@ pub(super) fn distinct_poses<'s>(
     let sample = sampled(mesh);
     let with_displacement = |posed: PosedInstance<'s>| {
         let displacement = posed.displacements(poses.poser(), &sample);
-        Candidate { posed, displacement, difference: f64::INFINITY }
+        CandidatePose { posed, displacement, difference: f64::INFINITY }
     };
     let candidates = candidates(poses, &instances, &targets).into_iter().map(with_displacement).collect();
     let diagonal = mesh.diagonal();
@@ -108,14 +108,14 @@ fn candidates<'s>(
     found
 }
 
-struct Candidate<'s> {
+struct CandidatePose<'s> {
     posed: PosedInstance<'s>,
     displacement: Vec<f32>,
     /// Squared difference from the most similar pose chosen so far.
     difference: f64,
 }
 
-fn farthest_first(mut candidates: Vec<Candidate<'_>>, least: f64) -> Vec<PosedInstance<'_>> {
+fn farthest_first(mut candidates: Vec<CandidatePose<'_>>, least: f64) -> Vec<PosedInstance<'_>> {
     let mut chosen = Vec::new();
     // The pose of the document counts as chosen already.
     let mut latest = candidates.first().map_or(Vec::new(), |c| vec![0.0; c.displacement.len()]);
@@ -129,7 +129,7 @@ fn farthest_first(mut candidates: Vec<Candidate<'_>>, least: f64) -> Vec<PosedIn
                 farthest = index;
             }
         }
-        let Candidate { posed, displacement, difference } = candidates.swap_remove(farthest);
+        let CandidatePose { posed, displacement, difference } = candidates.swap_remove(farthest);
         if difference <= least {
             break;
         }

@@ -26,7 +26,7 @@ pub fn base_colors(scene: &Scene) -> Vec<Option<BaseColor>> {
     let limits = ImageLimits::default().with_max_side(MAX_SIDE);
     let decoded =
         decode_images(scene, &mut colored, &limits, |count, decode| (0..count).map(decode).collect());
-    let mut levels = Levels { images: &decoded.images, known: BTreeMap::new() };
+    let mut levels = ImageLevels { images: &decoded.images, known: BTreeMap::new() };
     if colored.iter().all(|material| material.base_color_texture.is_none()) {
         return Vec::new();
     }
@@ -48,12 +48,12 @@ fn without_other_textures(material: Material) -> Material {
 }
 
 /// Levels of the images that have been needed so far.
-struct Levels<'d> {
+struct ImageLevels<'d> {
     images: &'d [Option<RgbaImage>],
     known: BTreeMap<(usize, bool), Option<TextureLevels>>,
 }
 
-impl Levels<'_> {
+impl ImageLevels<'_> {
     fn base_color(&mut self, material: &Material) -> Option<BaseColor> {
         let [r, g, b, _] = material.base_color;
         let Some(texture) = material.base_color_texture else {

@@ -38,7 +38,7 @@ pub fn posed_mesh(scene: &Scene, poser: &Poser, pose: &Pose) -> Result<IndexedMe
         return Err(SceneError { place: striata_io::Place::Json("nodes".to_owned()), reason });
     }
     let material_count = entries(scene.document(), "materials").len();
-    let mut posed = PosedMesh::new(shown().map(|(_, mesh)| mesh), (vertex_count, triangle_count));
+    let mut posed = UnfinishedPose::new(shown().map(|(_, mesh)| mesh), (vertex_count, triangle_count));
     for (instance, mesh) in shown() {
         posed.push(&InstancePose::new(poser, pose, instance), mesh);
         let materials = scene.primitive_materials(instance.mesh);
@@ -72,7 +72,7 @@ impl<'p> InstancePose<'p> {
 }
 
 /// A posed mesh under construction.
-struct PosedMesh {
+struct UnfinishedPose {
     mesh: IndexedMesh,
     normals: Option<Vec<[f32; 3]>>,
     tangents: Option<Vec<[f32; 4]>>,
@@ -83,7 +83,7 @@ struct PosedMesh {
     is_mirrored: bool,
 }
 
-impl PosedMesh {
+impl UnfinishedPose {
     fn new<'m>(
         meshes: impl Iterator<Item = &'m IndexedMesh>,
         (vertex_count, triangle_count): (usize, usize),
@@ -118,12 +118,12 @@ impl PosedMesh {
         self.is_mirrored = pose.is_mirrored();
         let matrices = VertexMatrices::new(pose, mesh);
         let vertices = 0..mesh.vertex_count();
-        let targets = MorphTargets::of(mesh, pose.weights, Semantic::MorphPosition);
+        let targets = MorphDisplacements::of(mesh, pose.weights, Semantic::MorphPosition);
         self.mesh.positions.extend(vertices.clone().map(|vertex| {
             let position = targets.apply(vertex, Vec3::from(mesh.positions[vertex]));
             finite(matrices.of(vertex).transform_point3(position.as_dvec3()).as_vec3())
         }));
-        let directions = MorphTargets::of(mesh, pose.weights, Semantic::MorphNormal);
+        let directions = MorphDisplacements::of(mesh, pose.weights, Semantic::MorphNormal);
         let normals = mesh.layer(&Semantic::Normal).filter(|layer| layer.component_count == 3);
         if let Some(out) = &mut self.normals {
             out.extend(vertices.clone().map(|vertex| {
@@ -132,7 +132,7 @@ impl PosedMesh {
                 unit(cofactors(&matrices.of(vertex)) * normal.as_dvec3())
             }));
         }
-        let directions = MorphTargets::of(mesh, pose.weights, Semantic::MorphTangent);
+        let directions = MorphDisplacements::of(mesh, pose.weights, Semantic::MorphTangent);
         let tangents = mesh.layer(&Semantic::Tangent).filter(|layer| layer.component_count == 4);
         if let Some(out) = &mut self.tangents {
             out.extend(vertices.clone().map(|vertex| {
@@ -220,9 +220,9 @@ impl<'p, 'm> VertexMatrices<'p, 'm> {
 }
 
 /// Displacements by the morph targets whose weights are not 0.
-struct MorphTargets<'m>(Vec<(f32, &'m AttributeLayer)>);
+struct MorphDisplacements<'m>(Vec<(f32, &'m AttributeLayer)>);
 
-impl<'m> MorphTargets<'m> {
+impl<'m> MorphDisplacements<'m> {
     fn of(mesh: &'m IndexedMesh, weights: &[f32], semantic: fn(u16) -> Semantic) -> Self {
         let weighted = weights.iter().zip(0u16..).filter(|(weight, _)| **weight != 0.0);
         let layers = weighted.filter_map(|(&weight, target)| {

@@ -16,7 +16,7 @@ pub(super) struct MeshLevels {
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Counts {
+pub(super) struct LevelCounts {
     pub triangles: usize,
     pub vertices: usize,
 }
@@ -32,9 +32,9 @@ impl MeshLevels {
         self.weight.scale * f64::from(error) + 0.0
     }
 
-    pub(super) fn counts_at(&self, split_count: usize) -> Counts {
+    pub(super) fn counts_at(&self, split_count: usize) -> LevelCounts {
         let triangles = self.levels.triangle_count_at(split_count);
-        Counts {
+        LevelCounts {
             triangles: triangles.saturating_mul(self.weight.instance_count),
             vertices: self.levels.vertex_count_at(split_count),
         }
@@ -46,7 +46,7 @@ impl MeshLevels {
     }
 }
 
-impl Counts {
+impl LevelCounts {
     pub(super) fn plus(self, other: Self) -> Self {
         Self {
             triangles: self.triangles.saturating_add(other.triangles),

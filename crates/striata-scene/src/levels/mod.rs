@@ -22,7 +22,7 @@ use striata::simplify::StopReason;
 use striata::{Lod, Target};
 use striata_io::SceneInstance;
 
-use mesh_levels::{Counts, MeshLevels, first_meshes, merged_order};
+use mesh_levels::{LevelCounts, MeshLevels, first_meshes, merged_order};
 pub use weight::MeshWeight;
 
 /// Fewest steps of a block; a block has at least as many steps as there are meshes, so that the states at
@@ -52,18 +52,18 @@ pub struct SceneLevels {
     first_of: Vec<usize>,
     /// Mesh that each step of coarsening concerns, beginning with the full scene.
     order: Vec<u32>,
-    blocks: Vec<Block>,
+    blocks: Vec<StepBlock>,
     /// Split count of each mesh at the start of each block, block by block.
     block_splits: Vec<u32>,
-    full: Counts,
-    base: Counts,
+    full: LevelCounts,
+    base: LevelCounts,
 }
 
 /// Consecutive steps of the order.
 #[derive(Clone, Copy, Debug)]
-struct Block {
+struct StepBlock {
     /// Counts before its first step.
-    start: Counts,
+    start: LevelCounts,
     /// Fewest triangles after any of its steps.
     least_triangles: usize,
 }
@@ -130,8 +130,8 @@ impl SceneLevels {
         drop(prices);
         let mut levels = Self {
             first_of,
-            full: Counts::default(),
-            base: Counts::default(),
+            full: LevelCounts::default(),
+            base: LevelCounts::default(),
             meshes,
             order,
             blocks: Vec::new(),
@@ -220,7 +220,7 @@ impl SceneLevels {
 
     /// Makes meshes with the same levels alike, so that they can share their triangles: each gets an equal share of
     /// what they have together.
-    fn with_equal_twins(&self, mut splits: Vec<usize>, count: fn(Counts) -> usize) -> Vec<usize> {
+    fn with_equal_twins(&self, mut splits: Vec<usize>, count: fn(LevelCounts) -> usize) -> Vec<usize> {
         let mut twins: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (mesh, &first) in self.first_of.iter().enumerate() {
             twins.entry(first).or_default().push(mesh);
@@ -256,7 +256,7 @@ impl SceneLevels {
         for (split_count, mesh) in split_counts.iter_mut().zip(&self.meshes) {
             *split_count = (*split_count).min(mesh.as_ref().map_or(0, |mesh| mesh.levels.step_count()));
         }
-        let Counts { triangles, vertices } = self.counts_of(&split_counts);
+        let LevelCounts { triangles, vertices } = self.counts_of(&split_counts);
         SceneLevel {
             error: self.error_of(&split_counts),
             split_counts,
@@ -270,10 +270,10 @@ impl SceneLevels {
         self.meshes.iter().map(|mesh| mesh.as_ref().map_or(0, |mesh| mesh.levels.step_count())).collect()
     }
 
-    fn counts_of(&self, splits: &[usize]) -> Counts {
+    fn counts_of(&self, splits: &[usize]) -> LevelCounts {
         let counts =
             self.meshes.iter().zip(splits).filter_map(|(mesh, &s)| Some(mesh.as_ref()?.counts_at(s)));
-        counts.fold(Counts::default(), Counts::plus)
+        counts.fold(LevelCounts::default(), LevelCounts::plus)
     }
 
     /// Returns a level with other split counts and their numbers of triangles and vertices.
@@ -329,9 +329,9 @@ impl SceneLevels {
     }
 
     /// Takes steps from the start of a block until `is_enough` returns true for the counts after a step.
-    fn walk(&self, block: usize, mut is_enough: impl FnMut(Counts) -> bool) -> Vec<usize> {
+    fn walk(&self, block: usize, mut is_enough: impl FnMut(LevelCounts) -> bool) -> Vec<usize> {
         let mut splits = self.splits_at_block(block);
-        let Some(&Block { start: mut counts, .. }) = self.blocks.get(block) else { return splits };
+        let Some(&StepBlock { start: mut counts, .. }) = self.blocks.get(block) else { return splits };
         for &mesh in &self.order[block * self.block_steps()..] {
             counts = self.step(mesh, &mut splits, counts);
             if is_enough(counts) {
@@ -342,7 +342,7 @@ impl SceneLevels {
     }
 
     /// Coarsens one mesh by one step, and returns the counts of the scene after it.
-    fn step(&self, mesh: u32, splits: &mut [usize], counts: Counts) -> Counts {
+    fn step(&self, mesh: u32, splits: &mut [usize], counts: LevelCounts) -> LevelCounts {
         let Some(levels) = &self.meshes[mesh as usize] else { return counts };
         let split_count = &mut splits[mesh as usize];
         let before = levels.counts_at(*split_count);
@@ -374,7 +374,7 @@ impl SceneLevels {
                 counts = self.step(mesh, &mut splits, counts);
                 least_triangles = least_triangles.min(counts.triangles);
             }
-            blocks.push(Block { start, least_triangles });
+            blocks.push(StepBlock { start, least_triangles });
         }
         (self.blocks, self.block_splits) = (blocks, block_splits);
     }

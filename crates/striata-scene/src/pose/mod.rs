@@ -25,7 +25,7 @@ use crate::document::entries;
 /// Reads the poses of a scene.
 #[derive(Clone, Debug)]
 pub struct Poser {
-    nodes: Vec<Node>,
+    nodes: Vec<PoseNode>,
     /// Nodes with each parent before its children.
     order: Vec<usize>,
     skins: Vec<Skin>,
@@ -34,7 +34,7 @@ pub struct Poser {
 
 /// A node in its own pose, relative to its parent.
 #[derive(Clone, Debug)]
-struct Node {
+struct PoseNode {
     parent: Option<usize>,
     local: Local,
     /// Shared by all nodes that show a mesh and have no weights of their own.
@@ -69,8 +69,8 @@ impl Poser {
     pub fn new(scene: &Scene) -> Result<Self, SceneError> {
         let document = scene.document();
         let meshes: Vec<MeshTargets> = entries(document, "meshes").iter().map(MeshTargets::read).collect();
-        let mut nodes: Vec<Node> =
-            entries(document, "nodes").iter().map(|node| Node::read(node, &meshes)).collect();
+        let mut nodes: Vec<PoseNode> =
+            entries(document, "nodes").iter().map(|node| PoseNode::read(node, &meshes)).collect();
         for (parent, node) in entries(document, "nodes").iter().enumerate() {
             for child in entries(node, "children").iter().filter_map(index) {
                 if let Some(child) = nodes.get_mut(child) {
@@ -236,7 +236,7 @@ impl Pose {
     }
 }
 
-impl Node {
+impl PoseNode {
     fn read(node: &Value, meshes: &[MeshTargets]) -> Self {
         let mesh = node.get("mesh").and_then(index).and_then(|mesh| meshes.get(mesh));
         let of_mesh = || mesh.map_or_else(|| Arc::from([]), |mesh| Arc::clone(&mesh.weights));
@@ -294,10 +294,10 @@ impl Local {
 
 /// Returns the nodes with each parent before its children; the scene has checked that they form a tree, but
 /// nodes outside the default scene may not, and are left out if they do not.
-fn parents_first(nodes: &[Node]) -> Vec<usize> {
+fn parents_first(nodes: &[PoseNode]) -> Vec<usize> {
     let mut children: Vec<Vec<usize>> = vec![Vec::new(); nodes.len()];
     let mut order = Vec::with_capacity(nodes.len());
-    for (node, Node { parent, .. }) in nodes.iter().enumerate() {
+    for (node, PoseNode { parent, .. }) in nodes.iter().enumerate() {
         match parent {
             Some(parent) => children[*parent].push(node),
             None => order.push(node),

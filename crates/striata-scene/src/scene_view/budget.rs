@@ -32,7 +32,7 @@ impl SceneView {
         drawn: &[DrawnInstance],
         triangle_limit: usize,
     ) -> f32 {
-        let mut search = Search { view: self, error, drawn, limit: triangle_limit };
+        let mut search = ToleranceSearch { view: self, error, drawn, limit: triangle_limit };
         let log = search.run();
         match log {
             Some(log) => self.factor = log.exp(),
@@ -46,14 +46,14 @@ impl SceneView {
 }
 
 /// Search for a tolerance.
-struct Search<'a> {
+struct ToleranceSearch<'a> {
     view: &'a mut SceneView,
     error: &'a ScreenError,
     drawn: &'a [DrawnInstance],
     limit: usize,
 }
 
-impl Search<'_> {
+impl ToleranceSearch<'_> {
     /// Returns the logarithm of the factor, with which the scene was updated last; [`None`] if no factor is
     /// large enough.
     fn run(&mut self) -> Option<f32> {

@@ -63,7 +63,7 @@ fn view_range(document: &Value, accessor: &Value, buffer_bytes: usize) -> Option
 
 /// A run of elements with the same layout.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Segment {
+struct BufferSegment {
     length: usize,
     stride: usize,
     filter: Filter,
@@ -89,7 +89,7 @@ pub(super) fn pack(document: &Value, buffer: &[u8], part: &[ByteRange]) -> Vec<u
             .map(|filter| (filter, apply(own, segment.stride, filter)))
             .min_by_key(|(_, bytes)| deflate(bytes, |_| usize::MAX).len());
         let Some((filter, bytes)) = smallest else { continue };
-        chosen.push(Segment { filter, ..segment });
+        chosen.push(BufferSegment { filter, ..segment });
         filtered.extend(bytes);
     }
     let mut out = Vec::new();
@@ -105,13 +105,13 @@ pub(super) fn pack(document: &Value, buffer: &[u8], part: &[ByteRange]) -> Vec<u
 
 /// Collects the bytes of a part, and divides them into segments by accessor. A segment that may be coded by
 /// differences is marked as such.
-fn gather(document: &Value, buffer: &[u8], part: &[ByteRange]) -> (Vec<u8>, Vec<Segment>) {
+fn gather(document: &Value, buffer: &[u8], part: &[ByteRange]) -> (Vec<u8>, Vec<BufferSegment>) {
     let mut places: Vec<_> = entries(document, "accessors")
         .iter()
         .filter_map(|accessor| place_of(document, accessor, buffer.len()))
         .collect();
     places.sort_unstable_by_key(|place| (place.bytes.start, place.bytes.end));
-    let plain = |length| Segment { length, stride: 1, filter: Filter::None };
+    let plain = |length| BufferSegment { length, stride: 1, filter: Filter::None };
     let (mut bytes, mut segments) = (Vec::new(), Vec::new());
     for range in part {
         let (mut at, end) = (range.offset as usize, (range.offset + range.length) as usize);
@@ -132,7 +132,7 @@ fn gather(document: &Value, buffer: &[u8], part: &[ByteRange]) -> (Vec<u8>, Vec<
             } else {
                 Filter::Planes
             };
-            segments.push(Segment { length: place.bytes.len(), stride: place.stride, filter });
+            segments.push(BufferSegment { length: place.bytes.len(), stride: place.stride, filter });
             at = place.bytes.end;
         }
         if at < end {
@@ -152,7 +152,7 @@ pub(super) fn unpack(packed: &[u8], length: u64) -> Option<Vec<u8>> {
         let (length, stride) =
             (usize::try_from(fields.varint()?).ok()?, usize::try_from(fields.varint()?).ok()?);
         let filter = Filter::from_code(fields.array()?, stride)?;
-        segments.push(Segment { length, stride, filter });
+        segments.push(BufferSegment { length, stride, filter });
     }
     let mut out = Vec::new();
     for segment in segments {

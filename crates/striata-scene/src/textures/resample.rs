@@ -59,17 +59,17 @@ pub(super) fn reduce(image: &Pixels, (width, height): (u32, u32), role: TextureR
 }
 
 /// The input that an output row or column is made from.
-struct Taps {
+struct ResampleTaps {
     first: usize,
     /// Weights of consecutive inputs; they add up to 1.
     weights: Vec<f32>,
 }
 
 /// Returns the taps of each output along one axis.
-fn filter(from: u32, to: u32) -> Vec<Taps> {
+fn filter(from: u32, to: u32) -> Vec<ResampleTaps> {
     let scale = f64::from(from) / f64::from(to);
     if from == to {
-        return (0..from as usize).map(|first| Taps { first, weights: vec![1.0] }).collect();
+        return (0..from as usize).map(|first| ResampleTaps { first, weights: vec![1.0] }).collect();
     }
     let of_output = |index: u32| {
         let center = (f64::from(index) + 0.5) * scale;
@@ -77,13 +77,13 @@ fn filter(from: u32, to: u32) -> Vec<Taps> {
         let end = ((center + scale).ceil() as usize).min(from as usize).max(first + 1);
         let weight = |at: usize| (1.0 - ((at as f64 + 0.5 - center) / scale).abs()).max(0.0);
         let sum: f64 = (first..end).map(weight).sum();
-        Taps { first, weights: (first..end).map(|at| (weight(at) / sum) as f32).collect() }
+        ResampleTaps { first, weights: (first..end).map(|at| (weight(at) / sum) as f32).collect() }
     };
     (0..to).map(of_output).collect()
 }
 
 /// Converts a row to linear numbers and filters it along the row.
-fn reduced_row(image: &Pixels, row: usize, columns: &[Taps], role: TextureRole) -> Vec<[f32; 4]> {
+fn reduced_row(image: &Pixels, row: usize, columns: &[ResampleTaps], role: TextureRole) -> Vec<[f32; 4]> {
     let width = image.width as usize;
     let (bytes, _) = image.rgba[row * width * 4..(row + 1) * width * 4].as_chunks::<4>();
     let linear: Vec<[f32; 4]> = bytes.iter().map(|&pixel| to_linear(pixel, role)).collect();

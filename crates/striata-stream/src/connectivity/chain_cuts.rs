@@ -17,7 +17,7 @@ const MAX_STEPS: usize = 4096;
 pub(super) struct ChainCuts {
     lengths: Vec<AdaptiveBit>,
     ranks: Vec<AdaptiveBit>,
-    spokes: Vec<Spoke>,
+    spokes: Vec<ChainSpoke>,
     /// Score and start of each candidate run; the score grows with the lengths of its edges.
     starts: Vec<(i64, u32)>,
 }
@@ -35,7 +35,7 @@ pub(super) struct Edges<'a> {
 
 /// An edge from the split vertex, and the triangle counterclockwise of it.
 #[derive(Clone, Copy, Debug)]
-struct Spoke {
+struct ChainSpoke {
     /// Squared length of the edge.
     square: i64,
     is_virtual: bool,
@@ -99,7 +99,7 @@ impl ChainCuts {
             let is_virtual = split_context.surface.is_virtual(neighbor.vertex);
             let end = neighbor.grid_point;
             let square = (0..3).map(|a| (i64::from(end[a]) - i64::from(position[a])).pow(2)).sum::<i64>();
-            Spoke {
+            ChainSpoke {
                 square: if is_virtual { 0 } else { square },
                 is_virtual,
                 is_free: !split_context.is_claimed(triangle_of(corner)),

@@ -41,7 +41,7 @@ const LAST_RATE: i32 = 120;
 
 /// A run of triangles that can move to the new vertex.
 #[derive(Clone, Copy, Debug)]
-struct Run {
+struct MovableRun {
     first: u32,
     /// Index of the edge at its end.
     end: u32,
@@ -51,7 +51,7 @@ struct Run {
 
 /// An edge and the triangle counterclockwise of it.
 #[derive(Clone, Copy, Debug)]
-struct Side {
+struct CutSide {
     edge: [u8; 4],
     triangle: [u8; 2],
     /// Scores of the edge as an end and as an inner edge, and of the triangle.
@@ -81,8 +81,8 @@ pub(super) struct CutModel {
     splits: i32,
     /// Mean height of the rings of vertices that split.
     height: i32,
-    sides: Vec<Side>,
-    runs: Vec<Run>,
+    sides: Vec<CutSide>,
+    runs: Vec<MovableRun>,
     run_features: Vec<RunFeatures>,
     exponentials: Vec<u32>,
     total: u64,
@@ -124,7 +124,7 @@ impl CutModel {
                 inner += weights[1];
             }
             let area = self.triangles[triangle[0] as usize] + self.triangles[triangle[1] as usize];
-            self.sides.push(Side { edge, triangle, end, inner, area, gradients: [0; 3] });
+            self.sides.push(CutSide { edge, triangle, end, inner, area, gradients: [0; 3] });
         }
         let max_length = max_patch.min(n.saturating_sub(1)).min(MAX_RUN);
         let mut by_length = [0; MAX_RUN + 1];
@@ -149,7 +149,7 @@ impl CutModel {
                 score += side.area + if length > 1 { side.inner } else { 0 };
                 at = if at + 1 < n { at + 1 } else { 0 };
                 let whole = score + sides[at].end + sum;
-                self.runs.push(Run {
+                self.runs.push(MovableRun {
                     first: first as u32,
                     end: at as u32,
                     length: length as u32,

@@ -50,7 +50,7 @@ pub(crate) struct Spoke {
 
 /// Table keys of an edge and its triangle, and their scores.
 #[derive(Clone, Copy, Debug, Default)]
-struct Side {
+struct SideScores {
     edge: [u8; 4],
     triangle: [u8; 2],
     /// Scores as an end edge and as an inner edge.
@@ -72,7 +72,7 @@ pub(crate) struct LearnedCuts {
     splits: i32,
     /// Mean height of the rings of vertices that split.
     height: i32,
-    sides: [Side; MAX_RING],
+    sides: [SideScores; MAX_RING],
     /// For each length, a bit mask of the possible starts.
     starts: [u32; MAX_RING],
     /// Scores of runs, by length and start, and their exponentials.
@@ -105,7 +105,7 @@ impl LearnedCuts {
             remains: [0; MAX_RING],
             splits: 0,
             height: 0,
-            sides: [Side::default(); MAX_RING],
+            sides: [SideScores::default(); MAX_RING],
             starts: [0; MAX_RING],
             scores: [[0; MAX_RING]; MAX_RING],
             exponentials: [[0; MAX_RING]; MAX_RING],

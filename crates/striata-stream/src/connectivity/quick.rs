@@ -46,7 +46,7 @@ pub(crate) struct QuickModel {
     /// Vertices that split, and the corners around them.
     splits: Vec<u32>,
     rings: Rings,
-    cuts: Cuts,
+    cuts: QuickCuts,
     chains: ChainCuts,
     /// The batch in which each vertex was last visited, modulo 256; used only by learned cuts.
     visited: Vec<u8>,
@@ -56,7 +56,7 @@ pub(crate) struct QuickModel {
 
 /// Coder of cuts around vertices with few triangles.
 #[derive(Clone, Debug)]
-enum Cuts {
+enum QuickCuts {
     /// Two symbols: the length of the run and its rank.
     Ranked(RankedCuts),
     /// Two symbols, by scores of edges and triangles.
@@ -78,8 +78,8 @@ impl QuickModel {
             splits: Vec::new(),
             rings: Rings::default(),
             cuts: match effort {
-                Effort::Fast => Cuts::Ranked(RankedCuts::new()),
-                _ => Cuts::Learned(Box::new(LearnedCuts::new())),
+                Effort::Fast => QuickCuts::Ranked(RankedCuts::new()),
+                _ => QuickCuts::Learned(Box::new(LearnedCuts::new())),
             },
             chains: ChainCuts::new(),
             visited: Vec::new(),
@@ -97,7 +97,7 @@ impl QuickModel {
 
     /// Whether cuts are coded by the learned model.
     fn is_learned(&self) -> bool {
-        matches!(self.cuts, Cuts::Learned(_))
+        matches!(self.cuts, QuickCuts::Learned(_))
     }
 
     /// Starts a batch.
@@ -188,8 +188,8 @@ impl QuickModel {
         let n = self.rings.of(split).len();
         let is_short = (2..=ranked_cuts::MAX_RING).contains(&n);
         let run = match self.cuts {
-            Cuts::Ranked(_) if is_short => self.ranked_run(coder, split_context, (split, actual)),
-            Cuts::Learned(_) if is_short => self.learned_run(coder, split_context, (split, actual)),
+            QuickCuts::Ranked(_) if is_short => self.ranked_run(coder, split_context, (split, actual)),
+            QuickCuts::Learned(_) if is_short => self.learned_run(coder, split_context, (split, actual)),
             _ => {
                 let kept = split_context.grid_points[self.splits[split] as usize];
                 let edges = Edges {
@@ -236,7 +236,7 @@ impl QuickModel {
                 is_free: !split_context.is_claimed(triangle_of(corner)),
             };
         }
-        let Cuts::Ranked(cuts) = &mut self.cuts else { return None };
+        let QuickCuts::Ranked(cuts) = &mut self.cuts else { return None };
         cuts.code(coder, &edges[..ring.len()], split_context.max_patch as usize, run_in_ring(actual, ring))
     }
 
@@ -267,7 +267,7 @@ impl QuickModel {
         }
         let limits =
             (usize::from(self.records[vertex as usize].triangle_count), split_context.max_patch as usize);
-        let Cuts::Learned(cuts) = &mut self.cuts else { return None };
+        let QuickCuts::Learned(cuts) = &mut self.cuts else { return None };
         cuts.code(coder, &mut spokes[..ring.len()], limits, run_in_ring(actual, ring))
     }
 

@@ -22,7 +22,7 @@ const RATE_DECAY_SHIFT: u32 = 8;
 
 /// A set of weights and its learning rate.
 #[derive(Clone, Copy, Debug)]
-struct Weights<const N: usize> {
+struct MixerWeights<const N: usize> {
     weights: [i32; N],
     rate: i32,
 }
@@ -30,7 +30,7 @@ struct Weights<const N: usize> {
 /// Mixes `N` predictions.
 #[derive(Clone, Debug)]
 pub(crate) struct Mixer<const N: usize> {
-    sets: Vec<Weights<N>>,
+    sets: Vec<MixerWeights<N>>,
     inputs: [i32; N],
     selected: usize,
     p_one: u32,
@@ -39,7 +39,7 @@ pub(crate) struct Mixer<const N: usize> {
 impl<const N: usize> Mixer<N> {
     /// Creates `set_count` sets of weights, all starting at `first` (in 1/65536).
     pub(crate) fn new(set_count: usize, first: [i32; N]) -> Self {
-        let sets = vec![Weights { weights: first, rate: FIRST_RATE }; set_count.max(1)];
+        let sets = vec![MixerWeights { weights: first, rate: FIRST_RATE }; set_count.max(1)];
         Self { sets, inputs: [0; N], selected: 0, p_one: 1 << 15 }
     }
 

@@ -14,7 +14,7 @@ const LAST_RATE: i32 = 4 << 8;
 const RATE_DECAY_SHIFT: u32 = 8;
 
 #[derive(Clone, Copy, Debug)]
-struct Weights<const VECTORS: usize> {
+struct WideWeights<const VECTORS: usize> {
     weights: [i16x8; VECTORS],
     rate: i32,
 }
@@ -22,7 +22,7 @@ struct Weights<const VECTORS: usize> {
 /// Mixes `VECTORS` times eight predictions.
 #[derive(Clone, Debug)]
 pub(crate) struct WideMixer<const VECTORS: usize> {
-    sets: Vec<Weights<VECTORS>>,
+    sets: Vec<WideWeights<VECTORS>>,
     selected: usize,
     p_one: i32,
 }
@@ -32,7 +32,7 @@ impl<const VECTORS: usize> WideMixer<VECTORS> {
     pub(crate) fn new(set_count: usize, first: [[i16; 8]; VECTORS]) -> Self {
         let weights = first.map(i16x8::new);
         Self {
-            sets: vec![Weights { weights, rate: FIRST_RATE }; set_count.max(1)],
+            sets: vec![WideWeights { weights, rate: FIRST_RATE }; set_count.max(1)],
             selected: 0,
             p_one: 1 << 15,
         }

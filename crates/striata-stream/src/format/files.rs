@@ -12,7 +12,7 @@ use crate::reader::decode::StreamDecoder;
 
 /// Decodes the streams inside a [`StriataFile`].
 #[derive(Clone, Copy, Debug)]
-struct Codec;
+struct FileCodec;
 
 /// Reads a `.striata` file like [`StriataFile::parse`] and attaches a decoder for its stream.
 ///
@@ -27,7 +27,7 @@ pub fn open(bytes: &[u8]) -> Result<StriataFile<'_>, file::DecodeError> {
 /// # Errors
 /// The errors of [`StriataFile::parse_with`].
 pub fn open_with(bytes: &[u8], verify: Verify) -> Result<StriataFile<'_>, file::DecodeError> {
-    Ok(StriataFile::parse_with(bytes, verify)?.with_codec(&Codec))
+    Ok(StriataFile::parse_with(bytes, verify)?.with_codec(&FileCodec))
 }
 
 /// Reads a file that may be truncated within its stream, like [`StriataFile::parse_truncated`], and
@@ -36,7 +36,7 @@ pub fn open_with(bytes: &[u8], verify: Verify) -> Result<StriataFile<'_>, file::
 /// # Errors
 /// The errors of [`StriataFile::parse_truncated`].
 pub fn open_truncated(bytes: &[u8]) -> Result<StriataFile<'_>, file::DecodeError> {
-    Ok(StriataFile::parse_truncated(bytes)?.with_codec(&Codec))
+    Ok(StriataFile::parse_truncated(bytes)?.with_codec(&FileCodec))
 }
 
 /// Opens a bare stream, complete or truncated, as a file that contains only this stream.
@@ -47,7 +47,7 @@ pub fn open_truncated(bytes: &[u8]) -> Result<StriataFile<'_>, file::DecodeError
 /// [`file::DecodeError`] if the bytes are not a valid stream, continue after its end, or end before the
 /// base mesh does.
 pub fn open_stream(bytes: &[u8]) -> Result<StriataFile<'_>, file::DecodeError> {
-    StriataFile::from_stream(bytes, &Codec)
+    StriataFile::from_stream(bytes, &FileCodec)
 }
 
 /// Wraps a stream as a model that can be stored in a `.striata` file.
@@ -70,7 +70,7 @@ pub fn file_model(stream: &[u8]) -> Result<FileModel<'_>, EncodeError> {
     Ok(model)
 }
 
-impl StreamCodec for Codec {
+impl StreamCodec for FileCodec {
     fn head(&self, stream: &[u8]) -> Result<StreamHead, file::DecodeError> {
         Ok(read_head(stream)?)
     }

@@ -44,13 +44,13 @@ pub(super) struct GeneralModel {
     isolated_size: usize,
     follows_isolated: bool,
     /// Scratch memory.
-    ring: Vec<Spoke>,
+    ring: Vec<SplitCorner>,
     thirds: Vec<(u8, u32)>,
 }
 
 /// A corner at the split position.
 #[derive(Clone, Copy, Debug)]
-struct Spoke {
+struct SplitCorner {
     corner: u32,
     edge: [u32; 2],
     /// Whether it shares an edge with the previous spoke.
@@ -122,7 +122,7 @@ impl GeneralModel {
         out.moved.clear();
         out.fan.clear();
         self.ring.clear();
-        self.ring.extend(complex.corners(out.split).map(|corner| Spoke {
+        self.ring.extend(complex.corners(out.split).map(|corner| SplitCorner {
             corner,
             edge: complex.edge(corner),
             is_linked: false,
@@ -297,8 +297,8 @@ fn mean_position(around: &[u32], grid_points: &[[i32; 3]]) -> ([i32; 3], usize) 
 
 /// Sorts a ring so that corners whose triangles share edges follow each other; an open fan starts at its
 /// first triangle.
-fn sort_ring(ring: &mut [Spoke]) {
-    let begins = |ring: &[Spoke], at: usize| ring.iter().all(|other| other.edge[1] != ring[at].edge[0]);
+fn sort_ring(ring: &mut [SplitCorner]) {
+    let begins = |ring: &[SplitCorner], at: usize| ring.iter().all(|other| other.edge[1] != ring[at].edge[0]);
     for at in 0..ring.len() {
         let before = at.checked_sub(1).map(|before| ring[before].edge);
         let rest = at..ring.len();

@@ -35,7 +35,8 @@ impl GrowingHierarchy {
         let old_count = self.first_triangles.last().copied().unwrap_or(0);
         self.append_vertices(mesh, new.clone());
         let changed = changed.iter().copied().filter(|&t| t < old_count);
-        let mut replay = Replay::new(mesh, new.start, changed.chain(old_count..mesh.triangles.len() as u32));
+        let mut replay =
+            GrowthReplay::new(mesh, new.start, changed.chain(old_count..mesh.triangles.len() as u32));
         let mut results = ReplayResults::default();
         for step in new.clone().rev() {
             replay.collapse(self, step, &mut results);
@@ -163,7 +164,7 @@ struct ReplayResults {
 }
 
 /// The triangles that new steps have changed or added, in linked lists by new vertex.
-struct Replay<'m> {
+struct GrowthReplay<'m> {
     mesh: PrefixMesh<'m>,
     first_new_vertex: u32,
     /// Corners at the level that the replay has reached.
@@ -178,7 +179,7 @@ struct Replay<'m> {
     bounds: BoundsBuilder,
 }
 
-impl<'m> Replay<'m> {
+impl<'m> GrowthReplay<'m> {
     fn new(mesh: &PrefixMesh<'m>, first_step: usize, triangles: impl Iterator<Item = u32>) -> Self {
         let first_new_vertex = mesh.vertex_count_at(first_step) as u32;
         let mut replay = Self {

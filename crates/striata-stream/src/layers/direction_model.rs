@@ -156,7 +156,7 @@ fn distance(a: [i64; 3], b: [i64; 3]) -> u64 {
 }
 
 /// Candidate predictions of a direction, and measures of their reliability.
-struct Prediction {
+struct DirectionPrediction {
     /// Contains `count` candidates, followed by repetitions.
     candidates: [[i64; 3]; MOST_CANDIDATES],
     count: usize,
@@ -169,7 +169,7 @@ struct Prediction {
     conflict: u64,
 }
 
-impl Prediction {
+impl DirectionPrediction {
     /// Returns the predictions of a vertex on its own, without a learned sum.
     fn of(
         grid: Octahedron,
@@ -310,8 +310,9 @@ impl DirectionModel {
         values: &LayerValues,
         (neighborhood, geometric): (&LayerNeighborhood<'_>, [i64; 3]),
         kind: usize,
-    ) -> Prediction {
-        let (mut prediction, estimates) = Prediction::of(self.grid, values, (neighborhood, geometric));
+    ) -> DirectionPrediction {
+        let (mut prediction, estimates) =
+            DirectionPrediction::of(self.grid, values, (neighborhood, geometric));
         if kind > 0 && kind != BASE_KIND {
             prediction.add_position(self.grid, values, (neighborhood, &estimates));
         }
@@ -327,7 +328,7 @@ impl DirectionModel {
         &mut self,
         coder: &mut C,
         (neighborhood, kind): (&LayerNeighborhood<'_>, usize),
-        (prediction, predicted): (&Prediction, [i32; 2]),
+        (prediction, predicted): (&DirectionPrediction, [i32; 2]),
         off: [i32; 2],
     ) -> [i32; 2] {
         let ring = scale_of(1 << (neighborhood.ring.len() / 2).min(16));
@@ -356,7 +357,7 @@ impl DirectionModel {
     }
 
     /// Updates the learned sums and selectors.
-    fn learn(&mut self, point: [i32; 2], prediction: &Prediction, kind: usize) {
+    fn learn(&mut self, point: [i32; 2], prediction: &DirectionPrediction, kind: usize) {
         let selector = prediction.selector(kind);
         self.coded_count = self.coded_count.wrapping_add(1);
         let is_early = self.coded_count < LEARNING;

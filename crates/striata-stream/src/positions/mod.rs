@@ -47,11 +47,11 @@ use quick::QuickPositions;
 
 /// Adaptive model of grid coordinates.
 #[derive(Clone, Debug)]
-pub(super) struct PositionModel(Model);
+pub(super) struct PositionModel(EffortModel);
 
 /// The model for each effort.
 #[derive(Clone, Debug)]
-enum Model {
+enum EffortModel {
     /// One prediction, made ahead.
     Quick(Box<QuickPositions>),
     /// Guesses from the ring and the triangles around it; coordinates by cells.
@@ -64,18 +64,18 @@ impl PositionModel {
     /// Creates an untrained model.
     pub(super) fn new(effort: Effort) -> Self {
         Self(match effort {
-            Effort::Fast => Model::Quick(Box::new(QuickPositions::new())),
-            Effort::Default => Model::Cells(Box::new(MixedModel::new([[5], [4]]))),
-            Effort::Small => Model::Full(Box::new(MixedModel::new([[2, 5, 8], [1, 4, 7]]))),
+            Effort::Fast => EffortModel::Quick(Box::new(QuickPositions::new())),
+            Effort::Default => EffortModel::Cells(Box::new(MixedModel::new([[5], [4]]))),
+            Effort::Small => EffortModel::Full(Box::new(MixedModel::new([[2, 5, 8], [1, 4, 7]]))),
         })
     }
 
     /// Reserves memory for a total number of vertices.
     pub(super) fn reserve(&mut self, vertex_count: usize) {
         match &mut self.0 {
-            Model::Quick(_) => {}
-            Model::Cells(model) => model.reserve(vertex_count),
-            Model::Full(model) => model.reserve(vertex_count),
+            EffortModel::Quick(_) => {}
+            EffortModel::Cells(model) => model.reserve(vertex_count),
+            EffortModel::Full(model) => model.reserve(vertex_count),
         }
     }
 
@@ -83,16 +83,16 @@ impl PositionModel {
     /// each vertex, or [`NONE`](crate::topology::surface::NONE).
     pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
         match &mut self.0 {
-            Model::Quick(_) => {}
-            Model::Cells(model) => model.renumber(old_of_new),
-            Model::Full(model) => model.renumber(old_of_new),
+            EffortModel::Quick(_) => {}
+            EffortModel::Cells(model) => model.renumber(old_of_new),
+            EffortModel::Full(model) => model.renumber(old_of_new),
         }
     }
 
     /// Returns the model that predicts all vertices of a stretch, from `first` on, before they are
     /// created. `None` if the model examines the surroundings of each vertex when it is coded.
     pub(super) fn ahead(&mut self, first: u32) -> Option<&mut QuickPositions> {
-        let Model::Quick(model) = &mut self.0 else { return None };
+        let EffortModel::Quick(model) = &mut self.0 else { return None };
         model.begin_stretch(first);
         Some(model)
     }
@@ -105,9 +105,9 @@ impl PositionModel {
         actual: [i32; 3],
     ) -> [i32; 3] {
         match &mut self.0 {
-            Model::Quick(model) => model.code(coder, neighborhood.vertex, actual),
-            Model::Cells(model) => model.code(coder, neighborhood, actual),
-            Model::Full(model) => model.code(coder, neighborhood, actual),
+            EffortModel::Quick(model) => model.code(coder, neighborhood.vertex, actual),
+            EffortModel::Cells(model) => model.code(coder, neighborhood, actual),
+            EffortModel::Full(model) => model.code(coder, neighborhood, actual),
         }
     }
 }

@@ -17,7 +17,7 @@ pub(crate) const NONE: u32 = u32::MAX;
 
 /// A corner of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Corner {
+struct CornerLinks {
     vertex: u32,
     /// The corner across the edge that faces this corner.
     opposite: u32,
@@ -65,7 +65,7 @@ pub(crate) fn triangle_of(corner: u32) -> u32 {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Surface {
     /// Four entries for each triangle: its corners, and one that stores the triangle's mark and label.
-    corners: Vec<Corner>,
+    corners: Vec<CornerLinks>,
     /// A corner of each vertex.
     corner_of: Vec<u32>,
     virtual_count: u32,
@@ -104,9 +104,9 @@ impl Surface {
             for (i, &vertex) in triangle.iter().enumerate() {
                 let o = opposite[3 * t + i];
                 corner_of[vertex as usize] = corners.len() as u32;
-                corners.push(Corner { vertex, opposite: o / 3 * 4 + o % 3 });
+                corners.push(CornerLinks { vertex, opposite: o / 3 * 4 + o % 3 });
             }
-            corners.push(Corner { vertex: 0, opposite: 0 });
+            corners.push(CornerLinks { vertex: 0, opposite: 0 });
         }
         Self { corners, corner_of, virtual_count }
     }
@@ -272,7 +272,8 @@ impl Surface {
         let [outside_a, outside_b] = [self.opposite(before), self.opposite(after)];
         let a = self.corners.len() as u32;
         let b = a + 4;
-        self.corners.extend([v, kept, r0, 0, v, rk, kept, 0].map(|vertex| Corner { vertex, opposite: 0 }));
+        self.corners
+            .extend([v, kept, r0, 0, v, rk, kept, 0].map(|vertex| CornerLinks { vertex, opposite: 0 }));
         self.link(a, outside_a);
         self.link(a + 1, before);
         self.link(a + 2, b + 1);

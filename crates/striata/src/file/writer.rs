@@ -161,7 +161,7 @@ pub fn write_striata(
     out: &mut dyn Write,
 ) -> Result<(), EncodeError> {
     let RefinableMesh { mesh, sequence } = refinable;
-    let source = Source { mesh, levels: sequence.levels(), collapses: Some(sequence) };
+    let source = FileSource { mesh, levels: sequence.levels(), collapses: Some(sequence) };
     write_sections(&lay_out(source, models, options)?, out)
 }
 
@@ -193,13 +193,13 @@ pub fn write_fragments(
         return Err(EncodeError::NoModel);
     }
     let levels = fragmented.fragments.levels();
-    let source = Source { mesh: &fragmented.mesh, levels, collapses: None };
+    let source = FileSource { mesh: &fragmented.mesh, levels, collapses: None };
     write_sections(&lay_out(source, models, options)?, out)
 }
 
 /// The contents of a file other than models.
 #[derive(Clone, Copy)]
-struct Source<'m> {
+struct FileSource<'m> {
     mesh: &'m IndexedMesh,
     levels: &'m Levels,
     /// `None` if vertices were removed in other ways than by collapses.
@@ -260,11 +260,11 @@ pub fn to_striata(
 }
 
 fn lay_out<'m>(
-    source: Source<'m>,
+    source: FileSource<'m>,
     models: &[FileModel<'m>],
     options: &WriteOptions,
 ) -> Result<Vec<Section<'m>>, EncodeError> {
-    let Source { mesh, levels, collapses } = source;
+    let FileSource { mesh, levels, collapses } = source;
     mesh.check()?;
     for (i, model) in models.iter().enumerate() {
         check_model(model, &models[..i], source)?;
@@ -337,7 +337,7 @@ fn lay_out<'m>(
 fn check_model(
     model: &FileModel<'_>,
     before: &[FileModel<'_>],
-    source: Source<'_>,
+    source: FileSource<'_>,
 ) -> Result<(), EncodeError> {
     let kind = model.kind();
     let (triangle_count, base_triangle_count) =
@@ -379,7 +379,11 @@ fn check_model(
     Ok(())
 }
 
-fn check_counts(kind: ModelKind, model: &impl StoredModel, source: Source<'_>) -> Result<(), EncodeError> {
+fn check_counts(
+    kind: ModelKind,
+    model: &impl StoredModel,
+    source: FileSource<'_>,
+) -> Result<(), EncodeError> {
     expect(kind, "vertices", model.vertex_count(), source.mesh.vertex_count())?;
     expect(kind, "steps", model.step_count(), source.levels.step_count())?;
     expect(kind, "groups", model.group_count(), source.mesh.groups.len().max(1))

@@ -119,7 +119,7 @@ impl Adjacency {
         accumulate(&mut first_corner);
         accumulate(&mut first_side);
         let mut corners = vec![0; first_corner[position_count] as usize];
-        let mut sides_by_low = vec![Side::default(); corners.len()];
+        let mut sides_by_low = vec![TriangleSide::default(); corners.len()];
         let (mut corner_slot, mut side_slot) = (first_corner.clone(), first_side.clone());
         for (t, triangle) in triangles.iter().enumerate().filter(|(_, t)| is_proper(t)) {
             for k in 0..3 {
@@ -127,7 +127,7 @@ impl Adjacency {
                 let corner = (3 * t + k) as u32;
                 corners[next_slot(&mut corner_slot[from as usize])] = corner;
                 sides_by_low[next_slot(&mut side_slot[from.min(to) as usize])] =
-                    Side { high: from.max(to), is_backward: from > to, corner };
+                    TriangleSide { high: from.max(to), is_backward: from > to, corner };
             }
         }
         let (first_edge, edges) = gather_edges(&first_side, &mut sides_by_low);
@@ -269,14 +269,14 @@ struct LinkScratch {
 
 /// A triangle side while edges are gathered; its fields are in sort order.
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
-struct Side {
+struct TriangleSide {
     high: u32,
     is_backward: bool,
     corner: u32,
 }
 
 /// Sorts the sides of each lower end and creates an edge for each run with the same higher end.
-fn gather_edges(first_side: &[u32], sides: &mut [Side]) -> (Vec<u32>, Vec<EdgeRecord>) {
+fn gather_edges(first_side: &[u32], sides: &mut [TriangleSide]) -> (Vec<u32>, Vec<EdgeRecord>) {
     let mut first_edge = Vec::with_capacity(first_side.len());
     let mut edges = Vec::with_capacity(sides.len() / 2);
     for range in first_side.windows(2) {

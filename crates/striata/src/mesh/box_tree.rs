@@ -17,7 +17,7 @@ pub(crate) struct AxisBox {
 }
 
 /// A node; its descendants follow it in the list of nodes, up to `end`.
-struct Node {
+struct BoxNode {
     bounds: AxisBox,
     /// Boxes below this node, as a range of the tree's `order`.
     first: u32,
@@ -30,7 +30,7 @@ struct Node {
 /// A tree over boxes, which are identified by index and not stored.
 #[derive(Default)]
 pub(crate) struct BoxTree {
-    nodes: Vec<Node>,
+    nodes: Vec<BoxNode>,
     order: Vec<u32>,
 }
 
@@ -69,7 +69,7 @@ impl BoxTree {
         let center = |member: &u32| of(member).min + of(member).max;
         let bounds = order.iter().map(of).fold(AxisBox::EMPTY, AxisBox::union);
         let (node, count) = (self.nodes.len(), order.len());
-        self.nodes.push(Node { bounds, first: first as u32, count: count as u32, end: 0 });
+        self.nodes.push(BoxNode { bounds, first: first as u32, count: count as u32, end: 0 });
         if count > LEAF_SIZE {
             let centers =
                 |start: Vec3A, pick: fn(Vec3A, Vec3A) -> Vec3A| order.iter().map(center).fold(start, pick);
@@ -89,7 +89,7 @@ impl BoxTree {
     /// Follows boxes that have moved: the nodes keep their members and get new bounds, in O(n) time.
     pub(crate) fn refit(&mut self, boxes: &[AxisBox]) {
         for node in (0..self.nodes.len()).rev() {
-            let Node { first, count, .. } = self.nodes[node];
+            let BoxNode { first, count, .. } = self.nodes[node];
             self.nodes[node].bounds = if count as usize <= LEAF_SIZE {
                 let members = &self.order[first as usize..(first + count) as usize];
                 members.iter().map(|&member| boxes[member as usize]).fold(AxisBox::EMPTY, AxisBox::union)
@@ -117,7 +117,7 @@ impl BoxTree {
     }
 
     fn descend(&self, node: usize, point: Vec3A, limit: &mut f32, visit: &mut impl FnMut(usize) -> f32) {
-        let Node { first, count, .. } = self.nodes[node];
+        let BoxNode { first, count, .. } = self.nodes[node];
         if count as usize <= LEAF_SIZE {
             for &member in &self.order[first as usize..(first + count) as usize] {
                 *limit = visit(member as usize);

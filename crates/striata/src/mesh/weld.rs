@@ -65,7 +65,7 @@ pub fn weld(mesh: &IndexedMesh) -> Result<Welded, MeshError> {
     let mut triangles = Vec::with_capacity(mesh.triangles.len());
     let groups = drop_degenerate(mesh, &position_of, &mut triangles);
     let degenerate_triangle_count = mesh.triangles.len() - triangles.len();
-    let source = Source { mesh, position_of, material_of };
+    let source = WeldSource { mesh, position_of, material_of };
     let vertices = index_vertices(&source, &mut triangles);
     let (order, first) = order_by_position(mesh, &vertices);
     let position_of_source = positions_of_sources(&source.position_of, &vertices, &order, &first);
@@ -95,7 +95,7 @@ pub fn weld(mesh: &IndexedMesh) -> Result<Welded, MeshError> {
     })
 }
 
-struct Source<'a> {
+struct WeldSource<'a> {
     mesh: &'a IndexedMesh,
     position_of: Vec<u32>,
     /// Material of each triangle plus one, 0 for none; empty if all triangles share one material.
@@ -154,7 +154,7 @@ fn drop_degenerate(mesh: &IndexedMesh, position_of: &[u32], kept: &mut Vec<[u32;
 }
 
 /// Layers of the triangles that [`drop_degenerate`] keeps.
-fn proper_triangle_layers(source: &Source<'_>, degenerate_count: usize) -> Vec<AttributeLayer> {
+fn proper_triangle_layers(source: &WeldSource<'_>, degenerate_count: usize) -> Vec<AttributeLayer> {
     let mesh = source.mesh;
     if mesh.triangle_layers.is_empty() || degenerate_count == 0 {
         return mesh.triangle_layers.clone();
@@ -168,7 +168,7 @@ fn proper_triangle_layers(source: &Source<'_>, degenerate_count: usize) -> Vec<A
 }
 
 #[derive(Default)]
-struct Vertices {
+struct WeldVertices {
     /// Input vertex of each new vertex.
     source: Vec<u32>,
     /// Position of each new vertex.
@@ -181,7 +181,7 @@ struct Vertices {
 ///
 /// The vertices of one position form a linked list and are compared one by one, so that attributes need not
 /// be hashed.
-fn index_vertices(source: &Source<'_>, triangles: &mut [[u32; 3]]) -> Vertices {
+fn index_vertices(source: &WeldSource<'_>, triangles: &mut [[u32; 3]]) -> WeldVertices {
     const NONE: u32 = u32::MAX;
     let has_materials = !source.material_of.is_empty();
     // New vertex of each pair (input vertex, material). Without materials, every input vertex is looked up
@@ -195,8 +195,8 @@ fn index_vertices(source: &Source<'_>, triangles: &mut [[u32; 3]]) -> Vertices {
     let mut head = vec![NONE; position_count];
     let mut next: Vec<u32> = Vec::new();
     let mut material: Vec<u32> = Vec::new();
-    let mut out = Vertices::default();
-    let mut new_vertex = |v: u32, m: u32, out: &mut Vertices| -> u32 {
+    let mut out = WeldVertices::default();
+    let mut new_vertex = |v: u32, m: u32, out: &mut WeldVertices| -> u32 {
         let position = source.position_of[v as usize];
         let mut slot = head[position as usize];
         let mut last = NONE;
@@ -257,7 +257,7 @@ fn same_attributes(mesh: &IndexedMesh, a: usize, b: usize) -> bool {
 /// Orders vertices along a space-filling curve, keeping the wedges of a position together; returns the
 /// order and the first vertex of each position. Simplification accesses the mesh in random order, so what
 /// is close in space should be close in memory.
-fn order_by_position(mesh: &IndexedMesh, vertices: &Vertices) -> (Vec<u32>, Vec<u32>) {
+fn order_by_position(mesh: &IndexedMesh, vertices: &WeldVertices) -> (Vec<u32>, Vec<u32>) {
     let mut keys: Vec<(u64, u32, u32)> = Vec::with_capacity(vertices.source.len());
     if let Some(curve) = ZOrderCurve::of(mesh) {
         keys.extend(vertices.source.iter().zip(&vertices.position).enumerate().map(
@@ -278,7 +278,12 @@ fn order_by_position(mesh: &IndexedMesh, vertices: &Vertices) -> (Vec<u32>, Vec<
 }
 
 /// Position index in the welded mesh for every input vertex.
-fn positions_of_sources(position_of: &[u32], vertices: &Vertices, order: &[u32], first: &[u32]) -> Vec<u32> {
+fn positions_of_sources(
+    position_of: &[u32],
+    vertices: &WeldVertices,
+    order: &[u32],
+    first: &[u32],
+) -> Vec<u32> {
     let mut new_position = vec![u32::MAX; position_of.iter().max().map_or(0, |&p| p as usize + 1)];
     for (new, &v) in first[..first.len() - 1].iter().enumerate() {
         new_position[vertices.position[order[v as usize] as usize] as usize] = new as u32;

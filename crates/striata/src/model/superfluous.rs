@@ -65,7 +65,7 @@ fn trim_start(slots: &mut [u32], length: &mut usize, changed: &mut [u32], drops:
 fn find_run(strip: &[u32], index: usize) -> Option<Run> {
     let mut best: Option<Run> = None;
     for first in index.saturating_sub(3).max(1)..=index + 2 {
-        let mut shown = Shown::default();
+        let mut shown = VisibleTriangles::default();
         for end in first..strip.len().min(first + MAX_RUN + 1) {
             // Triangles from `first - 2` to `end - 1` touch the run.
             let newest = if end == first { first.saturating_sub(2)..first } else { end - 1..end };
@@ -87,7 +87,7 @@ fn find_run(strip: &[u32], index: usize) -> Option<Run> {
 
 /// Returns the triangles that form where the ends of the strip are joined over the run `first..end` of
 /// even length.
-fn joined(strip: &[u32], first: usize, end: usize) -> Shown {
+fn joined(strip: &[u32], first: usize, end: usize) -> VisibleTriangles {
     let start = first.saturating_sub(2);
     let mut around = [0; 4];
     let mut count = 0;
@@ -95,7 +95,7 @@ fn joined(strip: &[u32], first: usize, end: usize) -> Shown {
         around[count] = v;
         count += 1;
     }
-    let mut shown = Shown::default();
+    let mut shown = VisibleTriangles::default();
     for i in 0..count.saturating_sub(2) {
         shown.add(&around[..count], i, (start + i).is_multiple_of(2));
     }
@@ -104,12 +104,12 @@ fn joined(strip: &[u32], first: usize, end: usize) -> Shown {
 
 /// Up to four visible triangles, each rotated so that its smallest corner comes first.
 #[derive(Default)]
-struct Shown {
+struct VisibleTriangles {
     triangles: [[u32; 3]; 4],
     count: usize,
 }
 
-impl Shown {
+impl VisibleTriangles {
     /// Adds the triangle that starts at `at`, if it exists and is not degenerate.
     fn add(&mut self, strip: &[u32], at: usize, is_even: bool) {
         let Some(w) = strip.get(at..at + 3) else { return };

@@ -28,11 +28,11 @@ pub enum Wrap {
 /// No side has more than 512 pixels: larger images are reduced first. Clones share the pixels.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TextureLevels {
-    levels: Arc<[Level]>,
+    levels: Arc<[ColorLevel]>,
 }
 
 #[derive(Debug, PartialEq, Eq)]
-struct Level {
+struct ColorLevel {
     width: u32,
     height: u32,
     /// sRGB and alpha, row by row from the top.
@@ -58,7 +58,7 @@ impl TextureLevels {
                 [r, g, b, a]
             }
         };
-        let mut level = Level { width, height, pixels: pixels.iter().map(visible).collect() };
+        let mut level = ColorLevel { width, height, pixels: pixels.iter().map(visible).collect() };
         let mut levels = Vec::new();
         while level.width.max(level.height) > 1 {
             let next = level.halved();
@@ -72,7 +72,7 @@ impl TextureLevels {
     }
 }
 
-impl Level {
+impl ColorLevel {
     /// Returns the image with each side halved, rounded up.
     fn halved(&self) -> Self {
         let (width, height) = (self.width.div_ceil(2), self.height.div_ceil(2));
@@ -174,7 +174,7 @@ impl BaseColor {
     /// Returns the level whose pixels cover a quarter to the whole of an area, which is in pixels of the
     /// largest level.
     #[inline]
-    fn level(&self, pixel_area: f32) -> &Level {
+    fn level(&self, pixel_area: f32) -> &ColorLevel {
         let levels = &self.texture.levels;
         // Half the exponent: the pixels of a level have four times the area of those of the one before.
         let level = (pixel_area.max(1.0).to_bits() >> 23).saturating_sub(127) as usize / 2;

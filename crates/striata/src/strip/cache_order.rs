@@ -40,7 +40,7 @@ const MISS: i32 = 3;
 /// ```
 pub fn cache_order(triangles: &[[u32; 3]]) -> Vec<u32> {
     let (corners, vertex_limit) = ranked(triangles.as_flattened().to_vec());
-    let mut drawing = Drawing::new(&corners, vertex_limit);
+    let mut drawing = SimulatedCache::new(&corners, vertex_limit);
     let mut order = Vec::with_capacity(triangles.len());
     while let Some(vertex) = drawing.next_vertex() {
         for _ in 0..drawing.window(vertex).len() {
@@ -57,18 +57,18 @@ pub fn cache_order(triangles: &[[u32; 3]]) -> Vec<u32> {
 
 /// Corner of a triangle at a vertex, with the vertices of the other two.
 #[derive(Clone, Copy, Default)]
-struct Corner {
+struct TriangleCorner {
     number: u32,
     others: [u32; 2],
 }
 
 /// Triangles that are left, and the vertices in the cache.
-struct Drawing<'a> {
+struct SimulatedCache<'a> {
     corners: &'a [u32],
     /// Start of the corners at each vertex in `around`; the first `live` of them are left.
     offsets: Vec<u32>,
     live: Vec<u32>,
-    around: Vec<Corner>,
+    around: Vec<TriangleCorner>,
     /// Place of each corner in `around`, by its number.
     places: Vec<u32>,
     /// The miss that loaded a vertex; it stays cached until [`CACHE_SIZE`] more misses.
@@ -83,7 +83,7 @@ struct Drawing<'a> {
     first_live: usize,
 }
 
-impl<'a> Drawing<'a> {
+impl<'a> SimulatedCache<'a> {
     fn new(corners: &'a [u32], vertex_limit: usize) -> Self {
         let mut live = vec![0; vertex_limit];
         corners.iter().for_each(|&v| live[v as usize] += 1);
@@ -93,12 +93,13 @@ impl<'a> Drawing<'a> {
             offsets.push(next);
             next += count;
         }
-        let (mut around, mut places) = (vec![Corner::default(); corners.len()], vec![0; corners.len()]);
+        let (mut around, mut places) =
+            (vec![TriangleCorner::default(); corners.len()], vec![0; corners.len()]);
         let mut ends = offsets.clone();
         for (triangle, &[a, b, c]) in (0..).zip(corners.as_chunks().0) {
             for (number, (v, others)) in (3 * triangle..).zip([(a, [b, c]), (b, [c, a]), (c, [a, b])]) {
                 let end = &mut ends[v as usize];
-                around[*end as usize] = Corner { number, others };
+                around[*end as usize] = TriangleCorner { number, others };
                 places[number as usize] = *end;
                 *end += 1;
             }
@@ -129,7 +130,7 @@ impl<'a> Drawing<'a> {
     }
 
     /// Corners at a vertex whose triangles are left, as far as they are looked at.
-    fn window(&self, vertex: u32) -> &[Corner] {
+    fn window(&self, vertex: u32) -> &[TriangleCorner] {
         let (first, live) = (self.offsets[vertex as usize] as usize, self.live[vertex as usize] as usize);
         &self.around[first..first + live.min(WINDOW)]
     }
@@ -182,7 +183,7 @@ impl<'a> Drawing<'a> {
     /// vertices.
     fn cheapest_triangle(&self, vertex: u32) -> u32 {
         let cost_of = |age: u32| if age < CACHE_SIZE { CACHE_SIZE - age } else { 4 * CACHE_SIZE };
-        let cost = |corner: &&Corner| corner.others.map(|v| cost_of(self.age(v))).iter().sum::<u32>();
+        let cost = |corner: &&TriangleCorner| corner.others.map(|v| cost_of(self.age(v))).iter().sum::<u32>();
         self.window(vertex).iter().min_by_key(cost).map_or(0, |corner| corner.number / 3)
     }
 

@@ -97,7 +97,7 @@ fn join_group(
     report: &mut dyn FnMut(usize) -> Result<(), Cancelled>,
 ) -> Result<(), Cancelled> {
     let mut seeds = Seeds::new(&grower.free, group);
-    let (mut best, mut trial) = (Walk::default(), Walk::default());
+    let (mut best, mut trial) = (SeedWalk::default(), SeedWalk::default());
     while let Some(seed) = seeds.pop(&grower.free) {
         best.clear();
         for edge in 3 * seed..3 * seed + 3 {
@@ -123,14 +123,14 @@ fn join_group(
 /// A walk through a seed triangle, given by the sides through which the triangles after and before it are
 /// entered.
 #[derive(Default)]
-struct Walk {
+struct SeedWalk {
     seed: u32,
     front: Vec<u32>,
     back: Vec<u32>,
     swap_count: usize,
 }
 
-impl Walk {
+impl SeedWalk {
     fn clear(&mut self) {
         self.front.clear();
         self.back.clear();
@@ -166,7 +166,7 @@ impl StripGrower<'_> {
     }
 
     /// Walks from the triangle of `exit` forward through `exit` and backward through the side before it.
-    fn walk_both_ways(&mut self, exit: u32, walk: &mut Walk) {
+    fn walk_both_ways(&mut self, exit: u32, walk: &mut SeedWalk) {
         self.walk_index += 1;
         walk.clear();
         walk.seed = exit;

@@ -17,12 +17,12 @@ pub(super) struct Part {
 /// Pieces of a scene.
 pub(super) struct Cuts {
     piece_size: u64,
-    runs: Vec<Run>,
+    runs: Vec<PrimitiveRun>,
     piece_count: u64,
 }
 
 /// A large primitive with all of its pieces, or small ones that share a piece.
-struct Run {
+struct PrimitiveRun {
     first_piece: u64,
     shown: Range<u32>,
 }
@@ -50,7 +50,7 @@ impl Cuts {
     }
 
     fn push(&mut self, shown: Range<u32>, piece_count: u64) {
-        self.runs.push(Run { first_piece: self.piece_count, shown });
+        self.runs.push(PrimitiveRun { first_piece: self.piece_count, shown });
         self.piece_count = self.piece_count.saturating_add(piece_count);
     }
 

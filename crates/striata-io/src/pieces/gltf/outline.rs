@@ -141,7 +141,7 @@ impl Outline {
 
     /// Walks through the default scene. Runs are what pieces of large primitives will be.
     pub(super) fn of(opened: &OpenedDocument, run_size: usize) -> Result<Self, Fault> {
-        let mut walk = Walk {
+        let mut walk = OutlineWalk {
             opened,
             document: opened.document()?,
             run_size,
@@ -204,7 +204,7 @@ impl Outline {
 /// its attributes.
 type VertexKey = (u64, Vec<(Semantic, u64)>, Option<DracoKey>);
 
-struct Walk<'a> {
+struct OutlineWalk<'a> {
     opened: &'a OpenedDocument,
     document: Document<'a>,
     run_size: usize,
@@ -221,7 +221,7 @@ struct Walk<'a> {
     fans_before: Option<Shown>,
 }
 
-impl<'a> Walk<'a> {
+impl<'a> OutlineWalk<'a> {
     fn add_instance(&mut self, instance: &Instance<'a>) -> Result<(), Fault> {
         let primitives = self.primitives_of_mesh(instance.mesh)?;
         if primitives.is_empty() {

@@ -44,10 +44,10 @@ pub(super) struct GeoTiff {
 struct State {
     decoder: Decoder<BufReader<File>>,
     /// Decoded chunks, the last used first.
-    chunks: VecDeque<(u32, Arc<Chunk>)>,
+    chunks: VecDeque<(u32, Arc<TiffChunk>)>,
 }
 
-struct Chunk {
+struct TiffChunk {
     width: u64,
     values: Vec<f32>,
 }
@@ -93,7 +93,7 @@ impl GeoTiff {
     }
 
     /// A decoded strip or tile.
-    fn chunk(&self, index: u32) -> Result<Arc<Chunk>, ReadError> {
+    fn chunk(&self, index: u32) -> Result<Arc<TiffChunk>, ReadError> {
         let failed = || malformed(&self.name, "another thread failed while it read the file");
         let mut state = self.state.lock().map_err(|_| failed())?;
         if let Some(at) = state.chunks.iter().position(|(known, _)| *known == index)
@@ -107,7 +107,7 @@ impl GeoTiff {
         let (width, _) = state.decoder.chunk_data_dimensions(index);
         let values = values(state.decoder.read_chunk(index).map_err(wrong)?)
             .ok_or_else(|| malformed(&self.name, "its samples have a type that heights do not have"))?;
-        let chunk = Arc::new(Chunk { width: u64::from(width), values });
+        let chunk = Arc::new(TiffChunk { width: u64::from(width), values });
         state.chunks.push_front((index, Arc::clone(&chunk)));
         state.chunks.truncate(MAX_CHUNKS);
         Ok(chunk)

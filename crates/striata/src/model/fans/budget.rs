@@ -20,7 +20,7 @@ const BATCH_SIZE: usize = 64;
 type Weighed = (u32, u32);
 
 /// State of a search for a budget. The queues may contain steps that are not known any more, and steps twice.
-struct Search {
+struct BudgetSearch {
     /// Collapsed steps with a weight above 1.
     collapsed: BinaryHeap<Weighed>,
     /// Refined steps that are wanted because of their own weight.
@@ -45,7 +45,7 @@ impl<C: Criterion + Clone> FanFront<C> {
     ) -> FanUpdate {
         self.forget_views();
         let mut update = self.begin(scene, 1.0);
-        let mut search = Search {
+        let mut search = BudgetSearch {
             collapsed: BinaryHeap::new(),
             active: BinaryHeap::new(),
             threshold: 1.0,
@@ -95,7 +95,7 @@ impl<C: Criterion + Clone> FanFront<C> {
         &mut self,
         scene: &FanScene<'_>,
         criterion: &C,
-        search: &mut Search,
+        search: &mut BudgetSearch,
         update: &mut FanUpdate,
     ) {
         while !self.listed.is_empty() {
@@ -107,7 +107,7 @@ impl<C: Criterion + Clone> FanFront<C> {
     fn weigh(
         &mut self,
         scene: &FanScene<'_>,
-        (criterion, search): (&C, &mut Search),
+        (criterion, search): (&C, &mut BudgetSearch),
         steps: &[u32],
         update: &mut FanUpdate,
     ) {
@@ -125,7 +125,7 @@ impl<C: Criterion + Clone> FanFront<C> {
     }
 
     /// Enters a step into the queue where it belongs according to its weight, if it is still known.
-    fn enqueue(&mut self, fans: &Fans, search: &mut Search, step: u32, weight: f32) {
+    fn enqueue(&mut self, fans: &Fans, search: &mut BudgetSearch, step: u32, weight: f32) {
         let is_heavy = weight > search.threshold;
         if !self.expiries.is_known(step) {
             return;
@@ -144,7 +144,7 @@ impl<C: Criterion + Clone> FanFront<C> {
 
     /// Collapses the lightest step that is active because of its own weight, and everything that only it
     /// needed. Returns whether there was one.
-    fn collapse_lightest(&mut self, fans: &Fans, search: &mut Search, update: &mut FanUpdate) -> bool {
+    fn collapse_lightest(&mut self, fans: &Fans, search: &mut BudgetSearch, update: &mut FanUpdate) -> bool {
         let Some(Reverse((weight, step))) = search.active.pop() else { return false };
         if self.expiries.is_known(step) {
             search.threshold = search.threshold.max(f32::from_bits(weight));

@@ -34,20 +34,20 @@ pub struct FanTriangles {
     shown: FanInstance,
     indices: Vec<u32>,
     group_ranges: Vec<Range<u32>>,
-    blocks: Blocks,
+    blocks: TableBlocks,
     /// For each group, the first index of each block; then the number of indices.
     starts: Vec<u32>,
     changed: StepBits,
     /// Scratch for the triangles of changed blocks, by group.
     sinks: Vec<IndexSink>,
     /// Scratch for what moves.
-    pieces: Vec<Piece>,
-    moves: Vec<Move>,
+    pieces: Vec<ChangedBlock>,
+    moves: Vec<RunMove>,
 }
 
 /// The division of a table into blocks: those of base vertices, then those of steps.
 #[derive(Clone, Copy, Debug)]
-struct Blocks {
+struct TableBlocks {
     /// Steps or base vertices of a block.
     size: u32,
     base_vertex_count: u32,
@@ -59,7 +59,7 @@ struct Blocks {
 
 /// A changed block of a group, and its new indices.
 #[derive(Clone, Copy, Debug)]
-struct Piece {
+struct ChangedBlock {
     /// Place of the block in `starts`.
     at: u32,
     /// Its new indices in the sink of the group.
@@ -69,13 +69,13 @@ struct Piece {
 
 /// A run of indices that moves.
 #[derive(Clone, Copy, Debug)]
-struct Move {
+struct RunMove {
     from: u32,
     to: u32,
     len: u32,
 }
 
-impl Blocks {
+impl TableBlocks {
     fn of(fans: &Fans) -> Self {
         // Larger blocks with more groups, so that the memory for all groups together stays the same.
         let size = BLOCK * (fans.group_count as u32).next_power_of_two();
@@ -115,7 +115,7 @@ impl FanTriangles {
     /// If the instance belongs to a different table.
     pub fn new(fans: &Fans, instance: &FanInstance) -> Self {
         instance.check_table(fans);
-        let blocks = Blocks::of(fans);
+        let blocks = TableBlocks::of(fans);
         let mut triangles = Self {
             shown: instance.clone(),
             indices: Vec::new(),
@@ -163,8 +163,8 @@ impl FanTriangles {
             + size_of_val(&self.starts[..])
             + self.changed.bytes()
             + self.sinks.iter().map(IndexSink::bytes).sum::<usize>()
-            + size_of::<Piece>() * self.pieces.capacity()
-            + size_of::<Move>() * self.moves.capacity()
+            + size_of::<ChangedBlock>() * self.pieces.capacity()
+            + size_of::<RunMove>() * self.moves.capacity()
     }
 
     /// Updates the list to another instance; returns the number of steps that differ.
@@ -249,8 +249,8 @@ impl FanTriangles {
         let total = self.place_pieces();
         self.indices.resize(self.indices.len().max(total as usize), 0);
         let (indices, moves) = (&mut self.indices, &self.moves);
-        let mut apply = |run: &Move| {
-            let Move { from, to, len } = *run;
+        let mut apply = |run: &RunMove| {
+            let RunMove { from, to, len } = *run;
             indices.copy_within(from as usize..(from + len) as usize, to as usize);
         };
         // Runs that move toward the start cannot overwrite a run before them that moves toward the end, and the
@@ -259,7 +259,7 @@ impl FanTriangles {
         moves.iter().rev().filter(|run| run.to > run.from).for_each(&mut apply);
         self.indices.truncate(total as usize);
         let count = self.blocks.count;
-        for &Piece { at, source, len } in &self.pieces {
+        for &ChangedBlock { at, source, len } in &self.pieces {
             let new = &self.sinks[(at / count) as usize].indices()[source as usize..(source + len) as usize];
             self.indices[self.starts[at as usize] as usize..][..len as usize].copy_from_slice(new);
         }
@@ -275,7 +275,7 @@ impl FanTriangles {
             next = block + 1;
             let firsts = self.pieces.len();
             for (at, sink) in (block..).step_by(count as usize).zip(&self.sinks) {
-                self.pieces.push(Piece { at, source: sink.len() as u32, len: 0 });
+                self.pieces.push(ChangedBlock { at, source: sink.len() as u32, len: 0 });
             }
             let span = self.blocks.span(block..next);
             write_triangles(fans, &self.shown, span, &mut GroupOutputs::new(&mut self.sinks));
@@ -297,7 +297,7 @@ impl FanTriangles {
         for (piece, new_len) in pieces.chain([(end, 0)]) {
             // Up to the start of this piece, everything moves as far.
             let (old_start, old_end) = (self.starts[piece], self.starts[(piece + 1).min(end)]);
-            let run = Move { from, to, len: old_start - from };
+            let run = RunMove { from, to, len: old_start - from };
             if run.len > 0 && run.from != run.to {
                 self.moves.push(run);
             }

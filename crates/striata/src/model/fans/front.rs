@@ -36,7 +36,7 @@ pub struct FanFront<C> {
     pub(super) listed: Vec<u32>,
     split_steps: Vec<u32>,
     unwanted: Vec<u32>,
-    batch: Batch,
+    batch: StepBatch,
 }
 
 /// Summary of what an update changed.
@@ -57,7 +57,7 @@ pub struct FanUpdate {
 
 /// A batch of steps that are evaluated together.
 #[derive(Clone, Debug, Default)]
-struct Batch {
+struct StepBatch {
     steps: Vec<u32>,
     parts: Vec<Part>,
     verdicts: Vec<Verdict>,
@@ -78,7 +78,7 @@ impl<C: Criterion + Clone> FanFront<C> {
             listed: Vec::new(),
             split_steps: Vec::new(),
             unwanted: Vec::new(),
-            batch: Batch::default(),
+            batch: StepBatch::default(),
         };
         fans.for_each_child(None, |child| front.expiries.add(child));
         front
@@ -186,7 +186,7 @@ impl<C> FanFront<C> {
     /// Gathers the next batch of due steps, beginning with a chunk of steps. Returns the chunk with which to
     /// continue, or `None` if no step is due.
     fn gather_due(&mut self, scene: &FanScene<'_>, mut start: u32) -> Option<u32> {
-        let Batch { steps, parts, .. } = &mut self.batch;
+        let StepBatch { steps, parts, .. } = &mut self.batch;
         steps.clear();
         while let Some(chunk) = self.expiries.next_chunk(start) {
             let mut due = self.expiries.due(chunk);

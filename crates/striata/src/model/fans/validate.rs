@@ -227,7 +227,7 @@ impl<'f> Validator<'f> {
     }
 
     /// Collects for each step the steps whose vertices its floor touches, and those that wait for it.
-    fn corners(&self) -> Corners {
+    fn corners(&self) -> StepLists {
         let mut counts = self.corner_counts.clone();
         self.fans.waits.iter().for_each(|wait| counts[wait[1] as usize] += 1);
         let mut firsts = Vec::with_capacity(counts.len() + 1);
@@ -237,7 +237,7 @@ impl<'f> Validator<'f> {
             end += count as usize;
             firsts.push(end);
         }
-        let mut corners = Corners { next: firsts.clone(), firsts, steps: vec![BASE; end] };
+        let mut corners = StepLists { next: firsts.clone(), firsts, steps: vec![BASE; end] };
         for vertex in 0..self.fans.vertices.vertex_count as u32 {
             for fan in self.fans.table.entry(vertex, self.own_step(vertex)) {
                 for creator in fan.creators() {
@@ -277,13 +277,13 @@ impl FanView<'_> {
 }
 
 /// One list of steps for each step.
-struct Corners {
+struct StepLists {
     firsts: Vec<usize>,
     next: Vec<usize>,
     steps: Vec<u32>,
 }
 
-impl Corners {
+impl StepLists {
     fn push(&mut self, step: u32, corner: u32) {
         let at = &mut self.next[step as usize];
         self.steps[*at] = corner;

@@ -65,7 +65,7 @@ impl LodStrips<'static> {
         mut stripify: impl FnMut(&IndexedMesh) -> Result<StripSet, E>,
     ) -> Result<Self, E> {
         check_strips(&refinable.mesh, strips)?;
-        let mut builder = Builder::new(refinable, strips);
+        let mut builder = LodStripsBuilder::new(refinable, strips);
         for step in (0..refinable.sequence.step_count()).rev() {
             let before = builder.written();
             builder.write_step(step);
@@ -80,7 +80,7 @@ impl LodStrips<'static> {
     }
 }
 
-struct Builder<'r> {
+struct LodStripsBuilder<'r> {
     refinable: &'r RefinableMesh,
     sequence: &'r CollapseSequence,
     stages: Vec<Stage<'static>>,
@@ -97,12 +97,12 @@ struct Builder<'r> {
 
 /// How much of the records has been written.
 #[derive(Clone, Copy)]
-struct Written {
+struct WrittenRecords {
     arena: usize,
     records: usize,
 }
 
-impl<'r> Builder<'r> {
+impl<'r> LodStripsBuilder<'r> {
     fn new(refinable: &'r RefinableMesh, strips: &StripSet) -> Self {
         let (mesh, sequence) = (&refinable.mesh, &refinable.sequence);
         let strips = sorted_spatially(&strips.cut(MAX_STRIP_INDICES), &mesh.positions);
@@ -123,8 +123,8 @@ impl<'r> Builder<'r> {
         }
     }
 
-    fn written(&self) -> Written {
-        Written { arena: self.arena.len(), records: self.records.len() }
+    fn written(&self) -> WrittenRecords {
+        WrittenRecords { arena: self.arena.len(), records: self.records.len() }
     }
 
     /// Collapses the vertices of a step and writes their records.
@@ -166,7 +166,12 @@ impl<'r> Builder<'r> {
 
     /// Begins a stage with these strips of the level after a step, if they need fewer indices than the
     /// current ones. The records of the step, written after `before`, are then not needed.
-    fn offer_stage(&mut self, step: usize, strips: &StripSet, before: Written) -> Result<(), ModelError> {
+    fn offer_stage(
+        &mut self,
+        step: usize,
+        strips: &StripSet,
+        before: WrittenRecords,
+    ) -> Result<(), ModelError> {
         let strips = sorted_spatially(&strips.cut(MAX_STRIP_INDICES), &self.refinable.mesh.positions);
         let vertex_count = self.sequence.step_vertices(step).start as usize;
         let stage = CurrentStage::new(strips, vertex_count);

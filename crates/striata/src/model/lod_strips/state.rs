@@ -19,22 +19,22 @@ pub struct LodStripsState {
     cursor: usize,
     /// The split counts that the current stage can show.
     levels: Range<usize>,
-    current: LiveStrips,
+    current: StageStrips,
     /// The strips of each finer stage, at its coarsest level.
-    finer: Vec<LiveStrips>,
+    finer: Vec<StageStrips>,
     pub(super) changes: Changes,
 }
 
 /// The strips of one stage.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct LiveStrips {
+struct StageStrips {
     /// Slots of all strips at their full lengths; see the drawing in the [module](super).
     slots: Vec<u32>,
     /// Number of live indices of each strip.
     lengths: Vec<u8>,
 }
 
-impl LiveStrips {
+impl StageStrips {
     /// The strips of a stage at its finest level.
     fn new(stage: &Stage<'_>) -> Self {
         Self { slots: stage.strips.indices.to_vec(), lengths: stage.strips.lengths.to_vec() }
@@ -69,7 +69,7 @@ impl LodStripsState {
             vertex_count: model.vertices.vertex_count() as u32,
             cursor: model.arena.len() - ARENA_PADDING,
             levels: model.levels_of_stage(0),
-            current: LiveStrips::new(&model.stages[0]),
+            current: StageStrips::new(&model.stages[0]),
             finer: Vec::new(),
             changes: Changes::none(most_slots),
         }
@@ -88,7 +88,7 @@ impl LodStripsState {
     /// Number of bytes that the instance owns. It grows with each stage that the instance enters on its way
     /// to the base, and shrinks again on its way back.
     pub fn bytes(&self) -> usize {
-        let of_stage = |strips: &LiveStrips| 4 * strips.slots.len() + strips.lengths.len();
+        let of_stage = |strips: &StageStrips| 4 * strips.slots.len() + strips.lengths.len();
         self.finer.iter().map(of_stage).sum::<usize>() + of_stage(&self.current) + self.changes.bytes()
     }
 
@@ -227,7 +227,7 @@ impl LodStripsState {
 
     /// Collapses the step below the current stage: the next stage shows what is left with its own strips.
     fn enter_coarser_stage(&mut self, model: &LodStrips<'_>) {
-        let next = LiveStrips::new(&model.stages[self.stage() + 1]);
+        let next = StageStrips::new(&model.stages[self.stage() + 1]);
         self.finer.push(std::mem::replace(&mut self.current, next));
         self.enter_level(model, self.split_count - 1);
     }

@@ -21,7 +21,7 @@ const JOIN_GAP: u32 = 32;
 #[derive(Clone, Debug)]
 pub struct StripBuffer {
     indices: Vec<u32>,
-    regions: Vec<Region>,
+    regions: Vec<GroupRegion>,
     allocations: Vec<Allocation>,
     changed: Vec<Range<u32>>,
     /// Scratch for the strips to write, kept so that `sync` does not allocate.
@@ -29,7 +29,7 @@ pub struct StripBuffer {
 }
 
 #[derive(Clone, Copy, Debug)]
-struct Region {
+struct GroupRegion {
     first: u32,
     capacity: u32,
     /// Number of indices from `first` that are drawn.
@@ -69,7 +69,7 @@ impl StripBuffer {
             };
             let most = model.stages.iter().map(of_stage).max().unwrap_or(0);
             let capacity = most + most / 4;
-            regions.push(Region { first, capacity, used: 0, live: 0, is_full: false });
+            regions.push(GroupRegion { first, capacity, used: 0, live: 0, is_full: false });
             first += capacity;
         }
         let most_strips = model.stages.iter().map(|stage| stage.strips.strip_count()).max().unwrap_or(0);
@@ -220,7 +220,7 @@ impl StripBuffer {
             at += needed;
         }
         let used = at - region.first;
-        self.regions[group] = Region { used, live: used, is_full: false, ..region };
+        self.regions[group] = GroupRegion { used, live: used, is_full: false, ..region };
         // Earlier changes in this region are covered by the new range, or lie behind the part that is drawn.
         self.changed.retain(|r| r.start < region.first || r.start >= region.first + region.capacity);
         if used > 0 {

@@ -31,7 +31,7 @@ pub(super) fn read_stages<'a>(
         let next = later.get(place);
         let coarsest = next.map_or(0, |next| next.split_count + 1);
         let stage = &model.stages[place];
-        let mut sweep = Sweep::new(model, stage, cursor);
+        let mut sweep = LevelSweep::new(model, stage, cursor);
         let [first, end] = [coarsest, stage.split_count].map(|count| model.vertices.count_at(count) as u32);
         for vertex in (first..end).rev() {
             let step = model.vertices.step_of(vertex);
@@ -97,7 +97,7 @@ fn check_stages(model: &LodStrips<'_>, later: &[StageHead]) -> Result<(), ModelE
     Ok(())
 }
 
-struct Sweep<'m, 'a> {
+struct LevelSweep<'m, 'a> {
     model: &'m LodStrips<'a>,
     stage: &'m Stage<'a>,
     slots: Vec<u32>,
@@ -107,7 +107,7 @@ struct Sweep<'m, 'a> {
     cursor: usize,
 }
 
-impl<'m, 'a> Sweep<'m, 'a> {
+impl<'m, 'a> LevelSweep<'m, 'a> {
     /// The strips of a stage at its finest level. Their vertices have been checked against that level.
     fn new(model: &'m LodStrips<'a>, stage: &'m Stage<'a>, cursor: usize) -> Self {
         let slots = stage.strips.indices.to_vec();

@@ -56,12 +56,12 @@ pub(super) struct Ground {
     /// Start of the sides that begin at each vertex, followed by the number of sides.
     first_side: Vec<u32>,
     /// Sides by vertex and triangle; those of a vertex with more than [`FEW_SIDES`] by their other end first.
-    sides: Vec<Side>,
+    sides: Vec<WalkSide>,
 }
 
 /// A side of a triangle, without the vertex where it begins.
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
-struct Side {
+struct WalkSide {
     end: u32,
     triangle: u32,
     /// The corner of the triangle that is not on the side.
@@ -97,12 +97,12 @@ impl Ground {
         for v in 0..self.vertex_count {
             self.first_side[v + 1] += self.first_side[v];
         }
-        self.sides = vec![Side::default(); 3 * self.triangles.len()];
+        self.sides = vec![WalkSide::default(); 3 * self.triangles.len()];
         let mut next = self.first_side.clone();
         for (triangle, &[a, b, c]) in (0..).zip(&self.triangles) {
             for (start, end, opposite) in [(a, b, c), (b, c, a), (c, a, b)] {
                 let slot = &mut next[start as usize];
-                self.sides[*slot as usize] = Side { end, triangle, opposite };
+                self.sides[*slot as usize] = WalkSide { end, triangle, opposite };
                 *slot += 1;
             }
         }
@@ -122,7 +122,7 @@ impl Ground {
     }
 
     /// The first [`MAX_SIDES`] sides from one vertex to another, by triangle.
-    fn sides_between(&self, [start, end]: [u32; 2]) -> impl Iterator<Item = &Side> {
+    fn sides_between(&self, [start, end]: [u32; 2]) -> impl Iterator<Item = &WalkSide> {
         let range = self.first_side[start as usize] as usize..self.first_side[start as usize + 1] as usize;
         let mut sides = &self.sides[range];
         if sides.len() > FEW_SIDES {
@@ -137,7 +137,7 @@ impl Ground {
     }
 
     /// The first triangle of a group that lies to the left of an edge and has not been shown.
-    fn across(&self, group: &Range<usize>, edge: [u32; 2]) -> Option<Side> {
+    fn across(&self, group: &Range<usize>, edge: [u32; 2]) -> Option<WalkSide> {
         self.sides_between(edge).find(|side| self.is_free(group, side.triangle)).copied()
     }
 }
@@ -165,7 +165,7 @@ fn rotated([a, b, c]: [u32; 3]) -> [u32; 3] {
 /// The first strip that shows a triangle which the level does not have, or not so often.
 pub(super) fn write(mut ground: Ground, strips: &StripSet) -> Result<Vec<u8>, usize> {
     ground.finish();
-    let mut writer = Writer { ground, crowded: HashMap::new(), bits: Bits::default() };
+    let mut writer = WalkWriter { ground, crowded: HashMap::new(), bits: Bits::default() };
     for (index, group) in writer.ground.groups.clone().iter().enumerate() {
         writer.crowded.clear();
         for strip in strips.group_strips(index) {
@@ -175,14 +175,14 @@ pub(super) fn write(mut ground: Ground, strips: &StripSet) -> Result<Vec<u8>, us
     Ok(writer.bits.as_bytes().to_vec())
 }
 
-struct Writer {
+struct WalkWriter {
     ground: Ground,
     /// The triangles of the group by their corners, the last first; filled if an edge has too many sides.
     crowded: HashMap<[u32; 3], Vec<u32>>,
     bits: Bits,
 }
 
-impl Writer {
+impl WalkWriter {
     fn write(&mut self, group: &Range<usize>, strip: &[u32]) -> Option<()> {
         let mut length = self.write_start(group, strip)?;
         while let Some(&next) = strip.get(length) {
@@ -235,7 +235,7 @@ impl Writer {
     /// Marks a triangle with these corners that has not been shown.
     fn show(&mut self, group: &Range<usize>, corners: [u32; 3]) -> Option<u32> {
         let [a, b, c] = corners;
-        let is_free = |side: &&Side| side.opposite == c && self.ground.is_free(group, side.triangle);
+        let is_free = |side: &&WalkSide| side.opposite == c && self.ground.is_free(group, side.triangle);
         let beside = self.ground.sides_between([a, b]).find(is_free).copied();
         let found = match beside {
             Some(side) => side.triangle,
@@ -272,7 +272,7 @@ pub(super) fn read(
     padded: &[u8],
 ) -> Result<(StripSet, usize), &'static str> {
     ground.finish();
-    let mut reader = Reader { ground, padded, at: 0, strip: Vec::new() };
+    let mut reader = WalkReader { ground, padded, at: 0, strip: Vec::new() };
     let mut strips = StripSet::new();
     for (group, &count) in reader.ground.groups.clone().iter().zip(strip_counts) {
         for _ in 0..count {
@@ -287,7 +287,7 @@ pub(super) fn read(
     Ok((strips, reader.at.div_ceil(8)))
 }
 
-struct Reader<'a> {
+struct WalkReader<'a> {
     ground: Ground,
     padded: &'a [u8],
     /// The next bit.
@@ -296,7 +296,7 @@ struct Reader<'a> {
     strip: Vec<u32>,
 }
 
-impl Reader<'_> {
+impl WalkReader<'_> {
     fn read(&mut self, group: &Range<usize>) -> Result<(), &'static str> {
         self.read_start(group)?;
         loop {

@@ -17,12 +17,12 @@ pub(super) struct Dependencies {
 }
 
 /// Steps that a search has found but not visited, ascending.
-struct Pending {
+struct PendingSteps {
     steps: [u32; MAX_PENDING],
     len: usize,
 }
 
-impl Pending {
+impl PendingSteps {
     /// Number of steps that are not younger than a step, and whether it is one of them.
     #[inline]
     fn place_of(&self, step: u32) -> (usize, bool) {
@@ -75,7 +75,7 @@ impl Dependencies {
 
     fn add_several(&mut self, makers: &[u32]) {
         let oldest = makers[0];
-        let mut pending = Pending { steps: [0; MAX_PENDING], len: 0 };
+        let mut pending = PendingSteps { steps: [0; MAX_PENDING], len: 0 };
         let mut visited_count = 0;
         for &candidate in makers.iter().rev() {
             // Youngest first, and no further than the candidate: older steps cannot depend on it.

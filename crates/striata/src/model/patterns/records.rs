@@ -77,7 +77,7 @@ pub(in crate::model) struct Records {
 
 /// Offsets, counts and widths of the parts of a block.
 #[derive(Clone, Copy, Debug)]
-struct Block {
+struct RecordBlock {
     first: u32,
     /// First bit of the kinds.
     kinds: usize,
@@ -290,7 +290,7 @@ impl Records {
 
     /// Returns the offsets of the parts of a step's block; `Err` with the start of a wide block.
     #[inline]
-    fn block(&self, step: u32) -> Result<Block, usize> {
+    fn block(&self, step: u32) -> Result<RecordBlock, usize> {
         let stride = self.layout.stride();
         let at = step as usize / BLOCK * stride;
         let &[start, ups_low, ups_high, downs_low, ..] = &self.blocks[at..at + stride] else {
@@ -305,7 +305,7 @@ impl Records {
         let first = step & !(BLOCK as u32 - 1);
         let len = (self.step_count as u32 - first).min(BLOCK as u32);
         let kinds = start + WIDTH_BITS as usize;
-        Ok(Block {
+        Ok(RecordBlock {
             first,
             kinds,
             links: kinds + (len * self.layout.short_kind_bits) as usize,
@@ -330,7 +330,7 @@ impl Records {
 
     /// Number of bits of the links of the first `k` steps of a block, at most 15.
     #[inline]
-    fn bits_before(&self, block: &Block, k: u32) -> u32 {
+    fn bits_before(&self, block: &RecordBlock, k: u32) -> u32 {
         let (up_count, long_count) = sums_of_nibbles(block.ups & ((1 << (4 * k)) - 1));
         let below = block.downs & ((1 << (self.layout.down_count_bits() * k)) - 1);
         let down_count = if self.layout.has_wide_counts {
@@ -344,7 +344,7 @@ impl Records {
 
     /// Returns the head of step `k` of a narrow block, whose links begin at a bit.
     #[inline]
-    fn narrow_head(&self, block: &Block, k: u32, mut at: usize) -> Head {
+    fn narrow_head(&self, block: &RecordBlock, k: u32, mut at: usize) -> Head {
         let Layout { short_kind_bits, .. } = self.layout;
         let ups = (block.ups >> (4 * k)) as u32;
         let downs = (block.downs >> (self.layout.down_count_bits() * k)) as u32;
@@ -605,7 +605,7 @@ impl Records {
 pub(super) struct HeadCursor<'a> {
     records: &'a Records,
     /// The current block, or where it starts if it is wide.
-    block: Result<Block, usize>,
+    block: Result<RecordBlock, usize>,
     block_index: usize,
     /// The step after the last one, and the first bit of its links if it is in the same block.
     next: u32,

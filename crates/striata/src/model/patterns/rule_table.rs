@@ -5,7 +5,7 @@ use super::rule::{NONE, Rule};
 /// All rules of a model.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(in crate::model) struct RuleTable {
-    entries: Vec<Entry>,
+    entries: Vec<RuleEntry>,
     narrow: Vec<u8>,
     wide: Vec<u32>,
     /// Whether each triangle has a group.
@@ -14,7 +14,7 @@ pub(in crate::model) struct RuleTable {
 
 /// Counts of a rule, and the start of its numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Entry {
+struct RuleEntry {
     first: u32,
     own_count: u32,
     local_count: u32,
@@ -36,7 +36,7 @@ pub(super) enum RuleRef<'a> {
 /// groups of the ceiling and floor triangles.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RuleView<'a, N> {
-    entry: Entry,
+    entry: RuleEntry,
     numbers: &'a [N],
     is_grouped: bool,
 }
@@ -88,7 +88,7 @@ impl RuleTable {
         let missing = u32::from(u8::MISSING);
         let is_wide = 3 * rule.floor.len() > missing as usize || numbers().any(|n| n != NONE && n >= missing);
         let first = if is_wide { self.wide.len() } else { self.narrow.len() };
-        self.entries.push(Entry {
+        self.entries.push(RuleEntry {
             first: first as u32,
             own_count: rule.own_count,
             local_count: rule.local_count,

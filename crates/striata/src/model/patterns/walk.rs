@@ -29,7 +29,7 @@ struct Waiting {
 
 /// Purpose of a visit to a step: to check it, or to collect its faces too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Task {
+enum VisitPurpose {
     Check,
     Collect,
 }
@@ -120,7 +120,7 @@ impl<'a> FragmentWalk<'a> {
         self.place_base()?;
         let patterns = self.patterns;
         patterns.records.try_for_each_head(|step, head| {
-            self.visit(step, head, Task::Check)
+            self.visit(step, head, VisitPurpose::Check)
                 .map_err(|reason| ModelError::Step { step: step as usize, reason })
         })
     }
@@ -133,7 +133,7 @@ impl<'a> FragmentWalk<'a> {
         self.place_base()?;
         let patterns = self.patterns;
         patterns.records.try_for_each_head(|step, head| {
-            self.visit(step, head, Task::Collect)
+            self.visit(step, head, VisitPurpose::Collect)
                 .map_err(|reason| ModelError::Step { step: step as usize, reason })?;
             visit(&self.ceiling, &self.floor);
             Ok(())
@@ -187,7 +187,7 @@ impl<'a> FragmentWalk<'a> {
     }
 
     #[inline]
-    fn visit(&mut self, step: u32, head: &Head, task: Task) -> Result<(), &'static str> {
+    fn visit(&mut self, step: u32, head: &Head, task: VisitPurpose) -> Result<(), &'static str> {
         let patterns = self.patterns;
         let (rule, sharing) = patterns.kinds.get(head.kind);
         of_rule!(patterns.rules.rule(rule), rule => {
@@ -235,14 +235,14 @@ impl<'a> FragmentWalk<'a> {
         &mut self,
         step: u32,
         rule: &RuleView<'_, N>,
-        task: Task,
+        task: VisitPurpose,
     ) -> Result<(), &'static str> {
         let count = rule.floor_count();
         let [at, next] = self.floors[step as usize].map(|i| i as usize);
         if next - at != count {
             return Err("has fewer floor triangles than its rule");
         }
-        if task == Task::Collect {
+        if task == VisitPurpose::Collect {
             self.floor.clear();
             self.floor.resize(count, Face { corners: [UNKNOWN; 3], group: 0 });
         }
@@ -289,7 +289,7 @@ impl<'a> FragmentWalk<'a> {
                     makers.push(maker);
                 }
             }
-            if task == Task::Collect {
+            if task == VisitPurpose::Collect {
                 floor[j] = Face { corners, group };
             }
         }
@@ -315,7 +315,7 @@ impl<'a> FragmentWalk<'a> {
         step: u32,
         head: &Head,
         (rule, sharing): (&RuleView<'_, N>, u32),
-        task: Task,
+        task: VisitPurpose,
     ) -> Result<(), &'static str> {
         let patterns = self.patterns;
         let first = patterns.vertices.of_step(step as usize).start;
@@ -346,7 +346,7 @@ impl<'a> FragmentWalk<'a> {
                         return Err("has a triangle with a repeated, unknown or wrong corner");
                     }
                     let group = rule.group(s);
-                    if task == Task::Collect {
+                    if task == VisitPurpose::Collect {
                         self.ceiling.push(Face { corners, group });
                     }
                     if above != step {

@@ -21,12 +21,12 @@ pub struct PartitionLevel {
     /// Rows of the rotation into the frame of the level.
     frame: [[f64; 3]; 3],
     /// The root is the first node.
-    nodes: Vec<Node>,
+    nodes: Vec<PartitionNode>,
     cell_count: u32,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Node {
+enum PartitionNode {
     Leaf {
         cell: u32,
     },
@@ -67,7 +67,7 @@ impl Partition {
         if (1..self.levels.len()).contains(&limit) {
             self.levels.truncate(limit);
             let last = &mut self.levels[limit - 1];
-            (last.nodes, last.cell_count) = (vec![Node::Leaf { cell: 0 }], 1);
+            (last.nodes, last.cell_count) = (vec![PartitionNode::Leaf { cell: 0 }], 1);
         }
         self
     }
@@ -90,8 +90,8 @@ impl Partition {
             level.frame.iter().flatten().for_each(|x| bytes.extend(x.to_le_bytes()));
             for node in &level.nodes {
                 let (axis, at, index) = match *node {
-                    Node::Leaf { cell } => (3, 0.0, cell),
-                    Node::Split { axis, at, above } => (axis, at, above),
+                    PartitionNode::Leaf { cell } => (3, 0.0, cell),
+                    PartitionNode::Split { axis, at, above } => (axis, at, above),
                 };
                 bytes.push(axis);
                 bytes.extend(at.to_le_bytes());
@@ -128,16 +128,16 @@ impl PartitionLevel {
         let split =
             if points.len() as f64 <= samples_per_cell || depth == MAX_DEPTH { None } else { median(points) };
         let Some((axis, at, below)) = split else {
-            self.nodes.push(Node::Leaf { cell: self.cell_count });
+            self.nodes.push(PartitionNode::Leaf { cell: self.cell_count });
             self.cell_count += 1;
             return;
         };
         let node = self.nodes.len();
-        self.nodes.push(Node::Split { axis, at, above: 0 });
+        self.nodes.push(PartitionNode::Split { axis, at, above: 0 });
         let (left, right) = points.split_at_mut(below);
         self.divide(left, samples_per_cell, depth + 1);
         let above = self.nodes.len() as u32;
-        self.nodes[node] = Node::Split { axis, at, above };
+        self.nodes[node] = PartitionNode::Split { axis, at, above };
         self.divide(right, samples_per_cell, depth + 1);
     }
 
@@ -152,8 +152,8 @@ impl PartitionLevel {
         let mut node = 0;
         loop {
             match self.nodes[node] {
-                Node::Leaf { cell } => return cell,
-                Node::Split { axis, at, above } => {
+                PartitionNode::Leaf { cell } => return cell,
+                PartitionNode::Split { axis, at, above } => {
                     node = if p[axis as usize] < at { node + 1 } else { above as usize };
                 }
             }
@@ -187,14 +187,14 @@ impl PartitionLevel {
                 if number != level.cell_count {
                     return None;
                 }
-                level.nodes.push(Node::Leaf { cell: number });
+                level.nodes.push(PartitionNode::Leaf { cell: number });
                 level.cell_count += 1;
                 continue;
             }
             if axis > 3 || !at.is_finite() || depth == MAX_DEPTH {
                 return None;
             }
-            level.nodes.push(Node::Split { axis, at, above: number });
+            level.nodes.push(PartitionNode::Split { axis, at, above: number });
             open.push((number as usize, depth + 1));
             next = Some(depth + 1);
         }

@@ -17,7 +17,7 @@ pub struct Routed {
 
 /// Which triangles and vertices of a mesh a cell receives.
 #[derive(Default)]
-struct Selection {
+struct CellSelection {
     inside: Vec<u32>,
     border: Vec<u32>,
     lone: Vec<u32>,
@@ -27,7 +27,7 @@ struct Selection {
 /// their positions.
 pub fn route(level: &PartitionLevel, mesh: &CellMesh) -> Routed {
     let cell_of: Vec<u32> = mesh.positions.iter().map(|&p| level.cell_of(p)).collect();
-    let mut selections: BTreeMap<u32, Selection> = BTreeMap::new();
+    let mut selections: BTreeMap<u32, CellSelection> = BTreeMap::new();
     let mut onward = Vec::new();
     let mut is_lone = vec![true; mesh.positions.len()];
     for (t, corners) in (0..).zip(&mesh.triangles) {
@@ -50,7 +50,7 @@ pub fn route(level: &PartitionLevel, mesh: &CellMesh) -> Routed {
     for v in (0..cell_of.len()).filter(|&v| is_lone[v]) {
         selections.entry(cell_of[v]).or_default().lone.push(v as u32);
     }
-    let cell = |(cell, selection): (u32, Selection)| {
+    let cell = |(cell, selection): (u32, CellSelection)| {
         let (border, vertices) = mesh.select(&selection.border, &[]);
         let is_within = vertices.iter().map(|&v| cell_of[v as usize] == cell).collect();
         (cell, Cell { inside: mesh.select(&selection.inside, &selection.lone).0, border, is_within })

@@ -45,9 +45,13 @@ pub fn simplify_cell(cell: &Cell, options: &CellOptions) -> Result<SimplifiedCel
         trace.run(&record, &targets, scale);
     }
     let numbering = Numbering::new(&union, &record);
-    let steps =
-        cell_steps(&Parts { cell, union: &union, record: &record, numbering: &numbering }, &trace, &targets);
-    let survivors = survivors(&Parts { cell, union: &union, record: &record, numbering: &numbering }, &trace);
+    let steps = cell_steps(
+        &CellParts { cell, union: &union, record: &record, numbering: &numbering },
+        &trace,
+        &targets,
+    );
+    let survivors =
+        survivors(&CellParts { cell, union: &union, record: &record, numbering: &numbering }, &trace);
     Ok(SimplifiedCell { steps, survivors, stop_reason })
 }
 
@@ -87,7 +91,7 @@ fn targets_within(union: &CellUnion, record: &CollapseRecord) -> Vec<u32> {
 }
 
 /// Everything that the results are numbered from.
-struct Parts<'a> {
+struct CellParts<'a> {
     cell: &'a Cell,
     union: &'a CellUnion,
     record: &'a CollapseRecord,
@@ -129,8 +133,8 @@ fn lone_at(union: &CellUnion, p: u32) -> impl Iterator<Item = u32> + '_ {
 }
 
 /// Copies vertices, given as in [`Numbering::sources`].
-fn gather(parts: &Parts<'_>, sources: &[u32]) -> (Vec<[f32; 3]>, Vec<AttributeLayer>) {
-    let Parts { cell, union, .. } = parts;
+fn gather(parts: &CellParts<'_>, sources: &[u32]) -> (Vec<[f32; 3]>, Vec<AttributeLayer>) {
+    let CellParts { cell, union, .. } = parts;
     let mesh = &union.welded.mesh;
     let welded_count = mesh.vertex_count() as u32;
     let position = |&v: &u32| match v.checked_sub(welded_count) {
@@ -152,8 +156,8 @@ fn gather(parts: &Parts<'_>, sources: &[u32]) -> (Vec<[f32; 3]>, Vec<AttributeLa
     (sources.iter().map(position).collect(), layers.collect())
 }
 
-fn cell_steps(parts: &Parts<'_>, trace: &Trace<'_>, targets: &[u32]) -> CellSteps {
-    let Parts { cell, union, record, numbering } = parts;
+fn cell_steps(parts: &CellParts<'_>, trace: &Trace<'_>, targets: &[u32]) -> CellSteps {
+    let CellParts { cell, union, record, numbering } = parts;
     let mesh = &union.welded.mesh;
     let welded_count = mesh.vertex_count() as u32;
     let mut sources = numbering.sources.clone();
@@ -190,8 +194,8 @@ fn cell_steps(parts: &Parts<'_>, trace: &Trace<'_>, targets: &[u32]) -> CellStep
     steps
 }
 
-fn survivors(parts: &Parts<'_>, trace: &Trace<'_>) -> CellMesh {
-    let Parts { cell, union, record, .. } = parts;
+fn survivors(parts: &CellParts<'_>, trace: &Trace<'_>) -> CellMesh {
+    let CellParts { cell, union, record, .. } = parts;
     let positions = &union.welded.positions;
     let mut number = vec![NONE; positions.vertex_count()];
     let mut sources = Vec::new();

@@ -28,11 +28,11 @@ pub(super) struct Trace<'a> {
     next: Vec<u32>,
     /// Key and error of each step.
     pub steps: Vec<History>,
-    scratch: Scratch,
+    scratch: TraceScratch,
 }
 
 #[derive(Default)]
-struct Scratch {
+struct TraceScratch {
     star: Vec<u32>,
     /// Positions that keep a changed triangle, and positions that lose one.
     kept: Vec<u32>,
@@ -59,7 +59,7 @@ impl<'a> Trace<'a> {
             tail: vec![NONE; position_count],
             next: vec![NONE; 3 * triangles.len()],
             steps: Vec::new(),
-            scratch: Scratch::default(),
+            scratch: TraceScratch::default(),
         };
         for &(p, history) in &union.waits {
             trace.waits[p as usize] = trace.waits[p as usize].join(history);

@@ -6,28 +6,28 @@ pub(super) const NONE: u32 = u32::MAX;
 
 /// First whole triangle and first part in the lists of a face.
 #[derive(Clone, Copy)]
-struct Head {
+struct FaceHeads {
     whole: u32,
     part: u32,
 }
 
-const EMPTY: Head = Head { whole: NONE, part: NONE };
+const EMPTY: FaceHeads = FaceHeads { whole: NONE, part: NONE };
 
 /// Entry of a linked list.
-struct Node<T> {
+struct ListNode<T> {
     triangle: u32,
     next: u32,
     piece: T,
 }
 
 /// Entries of all lists, and a list of free ones.
-struct Pool<T> {
-    nodes: Vec<Node<T>>,
+struct ListPool<T> {
+    nodes: Vec<ListNode<T>>,
     free: u32,
 }
 
-impl<T> Pool<T> {
-    fn take(&mut self, node: Node<T>) -> u32 {
+impl<T> ListPool<T> {
+    fn take(&mut self, node: ListNode<T>) -> u32 {
         if self.free == NONE {
             self.nodes.push(node);
             self.nodes.len() as u32 - 1
@@ -60,19 +60,19 @@ impl<T> Pool<T> {
 
 /// Pieces by face: whole original triangles and parts of some.
 pub(super) struct Pieces {
-    heads: Vec<Head>,
-    wholes: Pool<()>,
-    parts: Pool<Polygon>,
+    heads: Vec<FaceHeads>,
+    wholes: ListPool<()>,
+    parts: ListPool<Polygon>,
 }
 
 impl Pieces {
     /// Assigns each original triangle to the face with the same index.
     pub(super) fn new(triangle_count: usize) -> Self {
-        let node = |triangle| Node { triangle, next: NONE, piece: () };
+        let node = |triangle| ListNode { triangle, next: NONE, piece: () };
         Self {
-            heads: (0..triangle_count as u32).map(|t| Head { whole: t, ..EMPTY }).collect(),
-            wholes: Pool { nodes: (0..triangle_count as u32).map(node).collect(), free: NONE },
-            parts: Pool { nodes: Vec::new(), free: NONE },
+            heads: (0..triangle_count as u32).map(|t| FaceHeads { whole: t, ..EMPTY }).collect(),
+            wholes: ListPool { nodes: (0..triangle_count as u32).map(node).collect(), free: NONE },
+            parts: ListPool { nodes: Vec::new(), free: NONE },
         }
     }
 
@@ -96,15 +96,15 @@ impl Pieces {
 
     pub(super) fn push_whole(&mut self, face: u32, triangle: u32) {
         let next = self.head(face).whole;
-        self.head(face).whole = self.wholes.take(Node { triangle, next, piece: () });
+        self.head(face).whole = self.wholes.take(ListNode { triangle, next, piece: () });
     }
 
     pub(super) fn push_part(&mut self, face: u32, triangle: u32, piece: Polygon) {
         let next = self.head(face).part;
-        self.head(face).part = self.parts.take(Node { triangle, next, piece });
+        self.head(face).part = self.parts.take(ListNode { triangle, next, piece });
     }
 
-    fn head(&mut self, face: u32) -> &mut Head {
+    fn head(&mut self, face: u32) -> &mut FaceHeads {
         if self.heads.len() <= face as usize {
             self.heads.resize(face as usize + 1, EMPTY);
         }

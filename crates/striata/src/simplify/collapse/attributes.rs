@@ -96,7 +96,7 @@ pub(in crate::simplify) struct AttributeSpace {
 
 /// A wedge of the removed vertex and its side of the fan.
 #[derive(Clone, Copy)]
-struct Side {
+struct WedgeSide {
     /// The vertex, or `u32::MAX`.
     wedge: u32,
     /// Area of its triangles.
@@ -107,7 +107,7 @@ struct Side {
     highlight: f32,
 }
 
-impl Default for Side {
+impl Default for WedgeSide {
     fn default() -> Self {
         Self { wedge: u32::MAX, area: 0.0, distance: f32::INFINITY, error: 0.0, highlight: 0.0 }
     }
@@ -330,7 +330,7 @@ impl AttributeSpace {
     ) -> f32 {
         let vertex_at = |t: usize, position: u32| vertex_at(star, wedges, t, position);
         let u = star.offset(k);
-        let mut sides = [Side::default(); MAX_WEDGES];
+        let mut sides = [WedgeSide::default(); MAX_WEDGES];
         let mut crossing = 0.0;
         for t in 0..star.triangle_count() {
             let [i, j] = star.triangle(t);

@@ -39,7 +39,7 @@ pub(in crate::simplify) fn atlas_unit_lengths(
         repeated_count: 0,
     };
     for (material, slices) in by_material(mesh) {
-        let texcoords = Texcoords { layer, scale: scale_of(material, scales) };
+        let texcoords = ChartTexcoords { layer, scale: scale_of(material, scales) };
         if coverage.is_atlas(&slices, texcoords) {
             let length = unit_length(mesh, &slices, texcoords) / diagonal;
             let length = if length.is_finite() { length as f32 } else { 0.0 };
@@ -53,12 +53,12 @@ pub(in crate::simplify) fn atlas_unit_lengths(
 
 /// Texture coordinates in copies of the texture.
 #[derive(Clone, Copy)]
-struct Texcoords<'a> {
+struct ChartTexcoords<'a> {
     layer: &'a AttributeLayer,
     scale: [f32; 2],
 }
 
-impl Texcoords<'_> {
+impl ChartTexcoords<'_> {
     fn get(self, vertex: u32, axis: usize) -> f32 {
         self.scale[axis] * self.layer.get(vertex as usize, axis)
     }
@@ -88,7 +88,7 @@ fn by_material(mesh: &IndexedMesh) -> Vec<(Option<u32>, Slices<'_>)> {
 }
 
 /// Returns the length on the surface of one unit of texture coordinates.
-fn unit_length(mesh: &IndexedMesh, slices: &[&[[u32; 3]]], texcoords: Texcoords<'_>) -> f64 {
+fn unit_length(mesh: &IndexedMesh, slices: &[&[[u32; 3]]], texcoords: ChartTexcoords<'_>) -> f64 {
     let (mut surface, mut texture) = (0.0, 0.0);
     for t in slices.iter().copied().flatten() {
         let [a, b, c] = t.map(|v| Vec3::from(mesh.positions[v as usize]).as_dvec3());
@@ -110,7 +110,7 @@ struct TextureCoverage {
 
 impl TextureCoverage {
     /// Whether the triangles use each part of the texture about once.
-    fn is_atlas(&mut self, slices: &[&[[u32; 3]]], texcoords: Texcoords<'_>) -> bool {
+    fn is_atlas(&mut self, slices: &[&[[u32; 3]]], texcoords: ChartTexcoords<'_>) -> bool {
         let corners = || slices.iter().flat_map(|slice| slice.as_flattened());
         for axis in 0..2 {
             let values = || corners().map(|&v| texcoords.get(v, axis));

@@ -57,7 +57,7 @@ enum EvaluationStage {
 }
 
 #[derive(Clone, Copy, Debug, Default)]
-struct Candidate {
+struct CandidateTarget {
     stage: EvaluationStage,
     quadratic: f32,
     distance_squared: f32,
@@ -89,7 +89,7 @@ pub(in crate::simplify) struct CostEvaluator<'a> {
     seams: SeamRule,
     locks_boundary: bool,
     partners: Vec<u32>,
-    candidates: Vec<Candidate>,
+    candidates: Vec<CandidateTarget>,
 }
 
 impl<'a> CostEvaluator<'a> {
@@ -338,13 +338,13 @@ impl<'a> CostEvaluator<'a> {
             tracker.load(&self.star, &self.positions, v);
         }
         self.candidates.clear();
-        self.candidates.resize(self.star.ids.len(), Candidate::default());
+        self.candidates.resize(self.star.ids.len(), CandidateTarget::default());
         let best = loop {
             let Some((k, cost)) = self.star.cheapest() else { break None };
             let candidate = self.candidates[k];
             if candidate.stage == EvaluationStage::Complete {
                 let target = self.star.ids[k];
-                let Candidate { distance_squared, protrusion_squared, .. } = candidate;
+                let CandidateTarget { distance_squared, protrusion_squared, .. } = candidate;
                 break Some(CollapseChoice {
                     kind: CollapseKind::Strict,
                     cost,
@@ -387,11 +387,11 @@ impl<'a> CostEvaluator<'a> {
             None => return None,
         };
         let quadratic = self.star.costs[k];
-        self.candidates[k] = Candidate {
+        self.candidates[k] = CandidateTarget {
             stage: EvaluationStage::Measured,
             quadratic,
             distance_squared,
-            ..Candidate::default()
+            ..CandidateTarget::default()
         };
         Some(match &self.history {
             CostHistory::Memoryless => quadratic + self.star.distance_cost(distance_squared),
@@ -422,7 +422,7 @@ impl<'a> CostEvaluator<'a> {
             return None;
         }
         self.candidates[k].stage = EvaluationStage::Complete;
-        let Candidate { quadratic, distance_squared, attributes, .. } = self.candidates[k];
+        let CandidateTarget { quadratic, distance_squared, attributes, .. } = self.candidates[k];
         let mut cost = quadratic;
         if !matches!(self.history, CostHistory::Accumulated(_)) {
             let protrusion_squared = self.star.protrusion_squared(k);

@@ -63,7 +63,7 @@ pub(in crate::simplify) struct LostCover {
 }
 
 #[derive(Debug, Default)]
-struct Part {
+struct PartState {
     triangle_count: usize,
     /// Area of the original part, and of the vanished parts for which it has grown.
     cover: f32,
@@ -79,7 +79,7 @@ struct Part {
 #[derive(Debug)]
 pub(in crate::simplify) struct Parts {
     of_position: Vec<u32>,
-    parts: Vec<Part>,
+    parts: Vec<PartState>,
     /// The part that each part was merged into, or itself.
     merged: Vec<u32>,
     /// Original triangles by part, once a part may vanish.
@@ -104,7 +104,7 @@ pub(in crate::simplify) struct MeasuringContext<'a> {
 }
 
 /// Sample point of a part.
-struct Sample {
+struct PartSample {
     at: Vec3,
     normal: Vec3,
     vertices: [u32; 3],
@@ -133,7 +133,7 @@ impl Parts {
             }
             of_position.push(part_of_root[root]);
         }
-        let parts = (0..count).map(|_| Part::default()).collect();
+        let parts = (0..count).map(|_| PartState::default()).collect();
         Self { of_position, parts, merged: (0..count).collect(), part_triangles: None }
     }
 
@@ -169,13 +169,13 @@ impl Parts {
 
     /// Returns the area that a part replaces, per remaining triangle, and its reach.
     pub(in crate::simplify) fn share(&self, part: u32) -> (f32, f32) {
-        let Part { triangle_count, area, reach, .. } = self.parts[part as usize];
+        let PartState { triangle_count, area, reach, .. } = self.parts[part as usize];
         (area / triangle_count.max(1) as f32, reach)
     }
 
     /// Returns the cover that is lost if a part vanishes, if the vanishing has been estimated.
     pub(in crate::simplify) fn lost_cover(&self, part: u32) -> Option<LostCover> {
-        let Part { cover, radius, estimate, .. } = &self.parts[part as usize];
+        let PartState { cover, radius, estimate, .. } = &self.parts[part as usize];
         let VanishingEstimate { host, distance, .. } = estimate.as_ref()?;
         Some(LostCover { cover: *cover, host: *host, is_covered: *distance < COVERED_SHARE * radius })
     }
@@ -229,7 +229,7 @@ impl Parts {
         let is_less = self.parts[a as usize].triangle_count < self.parts[b as usize].triangle_count;
         let (small, large) = if is_less { (a, b) } else { (b, a) };
         self.merged[small as usize] = large;
-        let Part { triangle_count, area, cover, reach, radius, .. } =
+        let PartState { triangle_count, area, cover, reach, radius, .. } =
             std::mem::take(&mut self.parts[small as usize]);
         let into = &mut self.parts[large as usize];
         into.triangle_count += triangle_count;
@@ -277,7 +277,7 @@ impl Parts {
     }
 
     fn compute_estimate(&self, part: u32, context: &MeasuringContext<'_>) -> Option<VanishingEstimate> {
-        let Part { area, reach, radius, .. } = self.parts[part as usize];
+        let PartState { area, reach, radius, .. } = self.parts[part as usize];
         let is_host = |host: u32| host != part && self.parts[host as usize].triangle_count > 0;
         let (mut sum, mut share_sum, mut farthest) = (0.0, 0.0, 0.0f32);
         let (mut hosts, mut nearest): (Vec<u32>, Option<u32>) = (Vec::new(), None);
@@ -323,7 +323,7 @@ impl Parts {
     }
 
     /// Returns sample points of the original part: centroids and corners of some of its triangles.
-    fn samples(&self, part: u32, context: &MeasuringContext<'_>) -> Vec<Sample> {
+    fn samples(&self, part: u32, context: &MeasuringContext<'_>) -> Vec<PartSample> {
         let part_triangles = self.triangles_of(part);
         let count = part_triangles.len().min(MAX_SAMPLES);
         let mut samples = Vec::with_capacity(4 * count);
@@ -337,7 +337,7 @@ impl Parts {
             let area = doubled.length() + 1e-12;
             let normal = doubled.normalize_or_zero();
             let third = 1.0 / 3.0;
-            samples.push(Sample {
+            samples.push(PartSample {
                 at: (a + b + c) * third,
                 normal,
                 vertices,
@@ -347,7 +347,7 @@ impl Parts {
             for k in 0..3 {
                 let mut weights = [0.0; 3];
                 weights[k] = 1.0;
-                samples.push(Sample { at: corners[k], normal, vertices, weights, share: area / 12.0 });
+                samples.push(PartSample { at: corners[k], normal, vertices, weights, share: area / 12.0 });
             }
         }
         samples
@@ -374,7 +374,7 @@ impl Parts {
         part: u32,
         context: &MeasuringContext<'_>,
     ) -> Option<VanishingEstimate> {
-        let Part { area, estimate, .. } = std::mem::take(&mut self.parts[part as usize]);
+        let PartState { area, estimate, .. } = std::mem::take(&mut self.parts[part as usize]);
         let mut estimate = estimate?;
         self.add_hosts_along(part, &mut estimate, context);
         for &host in &estimate.hosts {
@@ -424,7 +424,7 @@ pub(in crate::simplify) fn vanishing_cost(area: f32, squared: f32) -> f32 {
 }
 
 /// Squared difference in attributes and normals between a sample and the point that replaces it.
-fn difference_squared(context: &MeasuringContext<'_>, sample: &Sample, found: &SnapshotPoint) -> f32 {
+fn difference_squared(context: &MeasuringContext<'_>, sample: &PartSample, found: &SnapshotPoint) -> f32 {
     let [a, b, c] = found.triangle.positions.map(|p| point(context.positions, p));
     let normal = (b - a).cross(c - a).normalize_or_zero();
     let turned = NORMAL_WEIGHT * normal.distance_squared(sample.normal);
@@ -544,7 +544,7 @@ mod tests {
         assert!(parts.estimate(gone, &context).is_some());
         parts.collapse(small[0], small[1], 1);
         assert!(parts.vanish(gone, &context).is_some_and(|estimate| parts.part_of(estimate.host) == host));
-        let Part { area, reach, .. } = parts.parts[host as usize];
+        let PartState { area, reach, .. } = parts.parts[host as usize];
         assert_eq!((area, reach), (41.0, 0.5));
         assert_eq!(parts.triangle_count(gone), 0);
         assert!(parts.estimate(host, &context).is_none(), "nothing else is left");

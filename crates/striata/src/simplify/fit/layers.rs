@@ -18,7 +18,7 @@ const WIDTH: usize = 4;
 type Value = [f64; WIDTH];
 
 /// How a layer is fitted.
-struct Rule {
+struct FitRule {
     /// Number of components of a vertex.
     row: usize,
     /// Number of components that are fitted.
@@ -28,17 +28,17 @@ struct Rule {
     /// Values that the result must not exceed.
     range: [f64; 2],
     /// Difference that counts half.
-    scale: Scale,
+    scale: LayerScale,
 }
 
 #[derive(Clone, Copy)]
-enum Scale {
+enum LayerScale {
     Fixed(f64),
     /// A share of how much the values differ within the triangle.
     OfTriangle(f64),
 }
 
-impl Rule {
+impl FitRule {
     /// Returns how to fit a layer; `None` if its values stay.
     fn of(layer: &AttributeLayer) -> Option<Self> {
         let row = usize::from(layer.component_count);
@@ -47,14 +47,19 @@ impl Rule {
             return None;
         }
         let unlimited = [f64::NEG_INFINITY, f64::INFINITY];
-        let plain =
-            Self { row, width: row, is_direction: false, range: unlimited, scale: Scale::OfTriangle(1.0) };
+        let plain = Self {
+            row,
+            width: row,
+            is_direction: false,
+            range: unlimited,
+            scale: LayerScale::OfTriangle(1.0),
+        };
         match layer.semantic {
             Semantic::Normal | Semantic::Tangent if row >= 3 => {
-                Some(Self { width: 3, is_direction: true, scale: Scale::Fixed(0.2), ..plain })
+                Some(Self { width: 3, is_direction: true, scale: LayerScale::Fixed(0.2), ..plain })
             }
-            Semantic::TexCoord(_) => Some(Self { scale: Scale::OfTriangle(0.2), ..plain }),
-            Semantic::Color(_) => Some(Self { range: [0.0, 1.0], scale: Scale::Fixed(0.2), ..plain }),
+            Semantic::TexCoord(_) => Some(Self { scale: LayerScale::OfTriangle(0.2), ..plain }),
+            Semantic::Color(_) => Some(Self { range: [0.0, 1.0], scale: LayerScale::Fixed(0.2), ..plain }),
             Semantic::Generic(_) => Some(plain),
             _ => None,
         }
@@ -80,8 +85,8 @@ impl Rule {
     /// Square of the difference that counts half, in a triangle.
     fn squared_scale(&self, corners: &[Value; 3]) -> f64 {
         match self.scale {
-            Scale::Fixed(scale) => scale * scale,
-            Scale::OfTriangle(share) => {
+            LayerScale::Fixed(scale) => scale * scale,
+            LayerScale::OfTriangle(share) => {
                 let [a, b, c] = corners;
                 let widest = [(a, b), (b, c), (c, a)].map(|(a, b)| squared_difference(a, b));
                 share * share * widest.into_iter().fold(0.0, f64::max)
@@ -101,7 +106,7 @@ fn unit(value: Value) -> Option<Value> {
 
 /// Changes the attributes of all vertices so that the level shows what the original does at its pairs.
 pub(super) fn fit_layers(level: &mut IndexedMesh, pairs: &Pairs, original: &IndexedMesh) {
-    let rules: Vec<Option<Rule>> = level.layers.iter().map(Rule::of).collect();
+    let rules: Vec<Option<FitRule>> = level.layers.iter().map(FitRule::of).collect();
     if rules.iter().all(Option::is_none) {
         return;
     }
@@ -122,7 +127,7 @@ pub(super) fn fit_layers(level: &mut IndexedMesh, pairs: &Pairs, original: &Inde
 
 /// Collects what the pairs wish for each triangle of the level.
 fn forms_of(
-    rule: &Rule,
+    rule: &FitRule,
     (layer, triangles): (&AttributeLayer, &[[u32; 3]]),
     (source, source_triangles): (&AttributeLayer, &[[u32; 3]]),
     pairs: &[Pair],
@@ -169,7 +174,7 @@ fn solve(forms: &[CornerForm<WIDTH>], adjacency: &Adjacency) -> Vec<Value> {
     changes
 }
 
-fn apply(rule: &Rule, layer: &mut AttributeLayer, changes: &[Value]) {
+fn apply(rule: &FitRule, layer: &mut AttributeLayer, changes: &[Value]) {
     for (v, change) in changes.iter().enumerate().filter(|(_, change)| **change != [0.0; WIDTH]) {
         let before = rule.value(layer, v as u32);
         let mut value: Value =

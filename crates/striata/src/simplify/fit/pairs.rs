@@ -89,13 +89,13 @@ impl Distances {
 }
 
 /// A sample of one surface, and the triangle of the other that it was last paired with.
-struct Sample {
+struct PairedSample {
     point: SurfacePoint,
     area: f64,
     last: Option<u32>,
 }
 
-impl Sample {
+impl PairedSample {
     fn new(triangle: usize, shares: [f64; 3], area: f64) -> Self {
         Self { point: SurfacePoint { triangle: triangle as u32, shares }, area, last: None }
     }
@@ -116,8 +116,8 @@ pub(super) struct Pairing {
     pub level: Surface,
     borders: Borders,
     level_sides: Vec<u32>,
-    of_original: Vec<Sample>,
-    of_level: Vec<Sample>,
+    of_original: Vec<PairedSample>,
+    of_level: Vec<PairedSample>,
 }
 
 impl Pairing {
@@ -134,11 +134,11 @@ impl Pairing {
             area += 0.5 * normal.length();
             if t as f64 >= next {
                 next += stride;
-                of_original.push(Sample::new(t, [1.0 / 3.0; 3], std::mem::take(&mut area)));
+                of_original.push(PairedSample::new(t, [1.0 / 3.0; 3], std::mem::take(&mut area)));
             }
         }
         let of_level =
-            (0..level.triangle_count()).flat_map(|t| POINTS.map(|shares| Sample::new(t, shares, 0.0)));
+            (0..level.triangle_count()).flat_map(|t| POINTS.map(|shares| PairedSample::new(t, shares, 0.0)));
         let level = Surface::new(level)?;
         Ok(Self { original, level, borders, level_sides, of_original, of_level: of_level.collect() })
     }
@@ -191,19 +191,19 @@ impl Pairing {
 
 /// The edges at which a surface, a chart or a material ends, once for each triangle.
 struct Borders {
-    edges: Vec<BorderEdge>,
+    edges: Vec<OpenEdge>,
     /// The edges as triangles without area.
     tree: TriangleTree,
 }
 
-struct BorderEdge {
+struct OpenEdge {
     ends: [DVec3; 2],
     triangle: u32,
     /// Corner of the triangle at which the edge begins.
     corner: usize,
 }
 
-impl BorderEdge {
+impl OpenEdge {
     /// Point with this share of the end.
     fn point(&self, share: f64) -> SurfacePoint {
         let mut shares = [0.0; 3];
@@ -264,9 +264,9 @@ impl Borders {
             let (triangle, corner) = (side / 3, side as usize % 3);
             let [start, end] = [corner, (corner + 1) % 3].map(|k| mesh.triangles[triangle as usize][k]);
             let ends = [start, end].map(|v| DVec3::from(mesh.positions[v as usize].map(f64::from)));
-            BorderEdge { ends, triangle, corner }
+            OpenEdge { ends, triangle, corner }
         };
-        let edges: Vec<BorderEdge> = sides.iter().map(edge).collect();
+        let edges: Vec<OpenEdge> = sides.iter().map(edge).collect();
         let flat = edges.iter().map(|edge| {
             let [a, b] = edge.ends.map(|end| end.to_array().map(|x| x as f32));
             [a, b, b]
@@ -276,7 +276,7 @@ impl Borders {
     }
 
     /// The edge nearest to a point of an edge that leads the same way: the triangles of both lie on the same side.
-    fn nearest(&self, point: DVec3, edge: &BorderEdge, near: &mut usize) -> Option<&BorderEdge> {
+    fn nearest(&self, point: DVec3, edge: &OpenEdge, near: &mut usize) -> Option<&OpenEdge> {
         let point = point.to_array();
         let distance = self.tree.distance_from_hint(point, near);
         let mut found = self.edges.get(*near)?;
@@ -297,7 +297,7 @@ impl Borders {
     fn pairs_with(&self, level: &Self) -> Vec<BorderPair> {
         let mut pairs = Vec::new();
         // From shares of both edges, and the length that the pair stands for.
-        let mut add = |(edge, share): (&BorderEdge, f64), (own, along): (&BorderEdge, f64), length: f64| {
+        let mut add = |(edge, share): (&OpenEdge, f64), (own, along): (&OpenEdge, f64), length: f64| {
             let target = own.ends[0].lerp(own.ends[1], along);
             let width = edge.side().length();
             if edge.ends[0].lerp(edge.ends[1], share).distance(target) <= BORDER_REACH * width {

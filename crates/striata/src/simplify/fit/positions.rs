@@ -78,13 +78,13 @@ impl TriangleTerms {
 }
 
 /// The positions of a level and the triangles between them.
-struct Places {
+struct LevelPositions {
     position_of: Vec<u32>,
     places: Vec<DVec3>,
     adjacency: Adjacency,
 }
 
-impl Places {
+impl LevelPositions {
     fn of(level: &IndexedMesh) -> Self {
         let position_of = index_positions(&level.positions);
         let mut places = Vec::new();
@@ -156,7 +156,7 @@ impl Places {
 
 /// Moves the vertices so that the summed squared distance of all pairs along normals is least.
 pub(super) fn move_vertices(level: &mut IndexedMesh, pairs: &Pairs, constraints: &Constraints) {
-    let places = Places::of(level);
+    let places = LevelPositions::of(level);
     let terms = terms_of(&places, pairs);
     let is_fixed = places.fixed(level, constraints);
     let mut moves = solve(&places, terms, &is_fixed, constraints.is_height_field);
@@ -171,7 +171,7 @@ pub(super) fn move_vertices(level: &mut IndexedMesh, pairs: &Pairs, constraints:
 }
 
 /// Collects the terms of each triangle.
-fn terms_of(places: &Places, pairs: &Pairs) -> Vec<TriangleTerms> {
+fn terms_of(places: &LevelPositions, pairs: &Pairs) -> Vec<TriangleTerms> {
     let still = vec![DVec3::ZERO; places.places.len()];
     let triangles = places.adjacency.triangles();
     let along_normal = |t| Term::new(places.normal(t, &still).normalize_or_zero());
@@ -206,7 +206,7 @@ fn terms_of(places: &Places, pairs: &Pairs) -> Vec<TriangleTerms> {
 
 /// Returns how far each position moves.
 fn solve(
-    places: &Places,
+    places: &LevelPositions,
     mut terms: Vec<TriangleTerms>,
     is_fixed: &[bool],
     is_height_field: bool,

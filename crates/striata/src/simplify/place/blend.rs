@@ -4,7 +4,7 @@ use crate::mesh::{AttributeLayer, LayerData, Semantic};
 
 /// How a layer is interpolated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Rule {
+enum BlendRule {
     /// Linear interpolation.
     Linear,
     /// Unit vectors: the first three components are interpolated and normalized.
@@ -13,21 +13,23 @@ enum Rule {
     Nearer,
 }
 
-fn rule_of(layer: &AttributeLayer) -> Rule {
+fn rule_of(layer: &AttributeLayer) -> BlendRule {
     let is_single = matches!(layer.data, LayerData::F32(_));
     match layer.semantic {
-        Semantic::Joints(_) | Semantic::Weights(_) => Rule::Nearer,
-        Semantic::Normal | Semantic::Tangent if is_single && layer.component_count >= 3 => Rule::Direction,
-        Semantic::Normal | Semantic::Tangent => Rule::Nearer,
-        _ if layer.has_identifiers() => Rule::Nearer,
-        _ => Rule::Linear,
+        Semantic::Joints(_) | Semantic::Weights(_) => BlendRule::Nearer,
+        Semantic::Normal | Semantic::Tangent if is_single && layer.component_count >= 3 => {
+            BlendRule::Direction
+        }
+        Semantic::Normal | Semantic::Tangent => BlendRule::Nearer,
+        _ if layer.has_identifiers() => BlendRule::Nearer,
+        _ => BlendRule::Linear,
     }
 }
 
 /// The rules of all layers of a mesh.
 #[derive(Clone, Debug)]
 pub(super) struct Blender {
-    rules: Vec<Rule>,
+    rules: Vec<BlendRule>,
 }
 
 impl Blender {
@@ -46,43 +48,43 @@ impl Blender {
     }
 }
 
-fn blend_layer(layer: &mut AttributeLayer, rule: Rule, (removed, kept): (u32, u32), share: f64) {
+fn blend_layer(layer: &mut AttributeLayer, rule: BlendRule, (removed, kept): (u32, u32), share: f64) {
     let n = layer.component_count as usize;
     let (from, to) = (removed as usize * n, kept as usize * n);
     let whole = |x: f64, y: f64| (x + (y - x) * share).round();
     match &mut layer.data {
-        LayerData::F32(data) if rule == Rule::Direction => mix_direction(data, n, (from, to), share),
-        LayerData::F32(data) if rule == Rule::Linear => {
+        LayerData::F32(data) if rule == BlendRule::Direction => mix_direction(data, n, (from, to), share),
+        LayerData::F32(data) if rule == BlendRule::Linear => {
             for i in 0..n {
                 data[to + i] = mix(data[to + i], data[from + i], share);
             }
         }
-        LayerData::U8(data) if rule == Rule::Linear => {
+        LayerData::U8(data) if rule == BlendRule::Linear => {
             for i in 0..n {
                 data[to + i] = whole(data[to + i].into(), data[from + i].into()) as u8;
             }
         }
-        LayerData::U16(data) if rule == Rule::Linear => {
+        LayerData::U16(data) if rule == BlendRule::Linear => {
             for i in 0..n {
                 data[to + i] = whole(data[to + i].into(), data[from + i].into()) as u16;
             }
         }
-        LayerData::U32(data) if rule == Rule::Linear => {
+        LayerData::U32(data) if rule == BlendRule::Linear => {
             for i in 0..n {
                 data[to + i] = whole(data[to + i].into(), data[from + i].into()) as u32;
             }
         }
-        LayerData::F64(data) if rule == Rule::Linear => {
+        LayerData::F64(data) if rule == BlendRule::Linear => {
             for i in 0..n {
                 data[to + i] += (data[from + i] - data[to + i]) * share;
             }
         }
-        LayerData::I8(data) if rule == Rule::Linear => {
+        LayerData::I8(data) if rule == BlendRule::Linear => {
             for i in 0..n {
                 data[to + i] = whole(data[to + i].into(), data[from + i].into()) as i8;
             }
         }
-        LayerData::I16(data) if rule == Rule::Linear => {
+        LayerData::I16(data) if rule == BlendRule::Linear => {
             for i in 0..n {
                 data[to + i] = whole(data[to + i].into(), data[from + i].into()) as i16;
             }

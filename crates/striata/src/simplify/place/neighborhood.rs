@@ -168,9 +168,9 @@ impl Neighborhood {
     pub(super) fn may_move(&self, position: DVec3, other: u32, mean: DVec3) -> bool {
         let x = position - self.center;
         self.kept_triangles(other).all(|triangle| match triangle.verdict_at(x, mean) {
-            Verdict::Refused => false,
-            Verdict::Allowed => true,
-            Verdict::MayTurn => !self.turns_over(triangle, x),
+            MoveVerdict::Refused => false,
+            MoveVerdict::Allowed => true,
+            MoveVerdict::MayTurn => !self.turns_over(triangle, x),
         })
     }
 
@@ -215,7 +215,7 @@ struct KeptTriangle {
 }
 
 /// Verdict on a moved triangle, from its normals.
-enum Verdict {
+enum MoveVerdict {
     /// It would be flipped, or a sliver.
     Refused,
     Allowed,
@@ -225,7 +225,7 @@ enum Verdict {
 
 impl KeptTriangle {
     /// Tests the triangle with its center moved by `x`; `mean` is the summed normal of both stars.
-    fn verdict_at(self, x: DVec3, mean: DVec3) -> Verdict {
+    fn verdict_at(self, x: DVec3, mean: DVec3) -> MoveVerdict {
         let Self { a, b, normal: old, .. } = self;
         let new = (a - x).cross(b - x);
         let side = (b - a).length_squared();
@@ -243,9 +243,9 @@ impl KeptTriangle {
                 || new_length * old_sides >= old_length * new_sides
         };
         match is_allowed {
-            false => Verdict::Refused,
-            true if flips || was_noise => Verdict::MayTurn,
-            true => Verdict::Allowed,
+            false => MoveVerdict::Refused,
+            true if flips || was_noise => MoveVerdict::MayTurn,
+            true => MoveVerdict::Allowed,
         }
     }
 }

@@ -69,7 +69,7 @@ impl Coded {
 }
 
 /// Attribute of the vertices that a primitive uses.
-struct Source<'a> {
+struct VertexAttribute<'a> {
     name: &'a str,
     accessor: &'a Value,
     elements: Elements,
@@ -89,7 +89,7 @@ pub(super) fn coded(
     for (name, index) in &primitive.attributes {
         let elements = Elements::read(&accessor(document, *index, &document.root).ok()?);
         let accessor = document.item("accessors", *index, &document.root).ok()?.value;
-        sources.push(Source { name, accessor, elements });
+        sources.push(VertexAttribute { name, accessor, elements });
     }
     let position = sources.iter().find(|source| source.name == "POSITION")?;
     let vertex_count = position.elements.count;
@@ -128,7 +128,7 @@ fn triangles(document: &Document<'_>, primitive: &Primitive, vertex_count: usize
 }
 
 /// Drops the vertices that no triangle uses.
-fn used_vertices(mut triangles: Vec<[u32; 3]>, sources: &mut [Source<'_>]) -> Option<Vec<[u32; 3]>> {
+fn used_vertices(mut triangles: Vec<[u32; 3]>, sources: &mut [VertexAttribute<'_>]) -> Option<Vec<[u32; 3]>> {
     let mut new_numbers = vec![None; sources.first()?.elements.count];
     let mut used = Vec::new();
     for vertex in triangles.as_flattened_mut() {
@@ -147,7 +147,7 @@ fn used_vertices(mut triangles: Vec<[u32; 3]>, sources: &mut [Source<'_>]) -> Op
 /// Encodes triangles, decodes them again, and describes the result.
 fn encode(
     triangles: &[[u32; 3]],
-    sources: &[Source<'_>],
+    sources: &[VertexAttribute<'_>],
     (quantization, cube): Precision<'_>,
 ) -> Result<Coded, String> {
     let mut mesh = Mesh::new();
@@ -203,7 +203,7 @@ fn extend_range(
 fn described(
     bytes: Vec<u8>,
     triangles: &[[u32; 3]],
-    sources: &[Source<'_>],
+    sources: &[VertexAttribute<'_>],
     ids: &[u32],
 ) -> Result<Coded, String> {
     let decoded = draco_mesh::decode(&bytes, u64::MAX)?;
@@ -232,7 +232,7 @@ fn described(
 }
 
 /// Returns the number of triangles of which two corners have the same position; Draco drops them.
-fn collapsed_count(triangles: &[[u32; 3]], sources: &[Source<'_>]) -> usize {
+fn collapsed_count(triangles: &[[u32; 3]], sources: &[VertexAttribute<'_>]) -> usize {
     let Some(positions) = sources.iter().find(|source| source.name == "POSITION") else { return 0 };
     let size = positions.elements.element_bytes();
     let position = |vertex: u32| &positions.elements.bytes[vertex as usize * size..][..size];
@@ -243,7 +243,7 @@ fn collapsed_count(triangles: &[[u32; 3]], sources: &[Source<'_>]) -> usize {
     triangles.iter().filter(is_collapsed).count()
 }
 
-fn attribute(source: &Source<'_>) -> Result<PointAttribute, String> {
+fn attribute(source: &VertexAttribute<'_>) -> Result<PointAttribute, String> {
     let Elements { component, width, normalized, count, ref bytes } = source.elements;
     let data_type = match component {
         ComponentType::I8 => DataType::Int8,
@@ -262,7 +262,7 @@ fn attribute(source: &Source<'_>) -> Result<PointAttribute, String> {
     Ok(attribute)
 }
 
-fn kind(source: &Source<'_>) -> GeometryAttributeType {
+fn kind(source: &VertexAttribute<'_>) -> GeometryAttributeType {
     match source.name {
         "POSITION" => GeometryAttributeType::Position,
         "NORMAL" => GeometryAttributeType::Normal,
@@ -273,7 +273,7 @@ fn kind(source: &Source<'_>) -> GeometryAttributeType {
 }
 
 /// Returns the bits that an attribute of floats is quantized to; [`None`] if it is kept exactly.
-fn bits(source: &Source<'_>, quantization: &QuantizeOptions) -> Option<u32> {
+fn bits(source: &VertexAttribute<'_>, quantization: &QuantizeOptions) -> Option<u32> {
     let bits = match (source.name, kind(source)) {
         (_, GeometryAttributeType::Position) => quantization.position_bits,
         (_, GeometryAttributeType::Normal) | ("TANGENT", _) => quantization.normal_bits.max(2),

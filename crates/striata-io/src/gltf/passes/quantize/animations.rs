@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
 
-use super::{Changes, Texcoords, convert};
+use super::{DocumentChanges, Texcoords, convert};
 use crate::QuantizeOptions;
 use crate::gltf::accessor::accessor;
 use crate::gltf::component_type::ComponentType;
@@ -25,10 +25,10 @@ const TIME_CELLS: f32 = 4096.0;
 const MOVE_BITS: i32 = 16;
 
 /// How the numbers of an accessor are rounded; [`None`] if its uses contradict each other.
-type Rules = BTreeMap<u64, Option<Rule>>;
+type Rules = BTreeMap<u64, Option<ChannelRule>>;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Rule {
+enum ChannelRule {
     Time,
     Rotation,
     Move,
@@ -38,11 +38,11 @@ enum Rule {
 pub(super) fn quantize(
     document: &Document<'_>,
     (options, texcoords): (&QuantizeOptions, Texcoords),
-    changes: &mut Changes<'_>,
+    changes: &mut DocumentChanges<'_>,
 ) {
     let is_packed = texcoords == Texcoords::Floats;
     for (number, rule) in rules(document) {
-        let Some(rule) = rule.filter(|rule| is_packed || *rule == Rule::Rotation) else { continue };
+        let Some(rule) = rule.filter(|rule| is_packed || *rule == ChannelRule::Rotation) else { continue };
         let Ok(source) = accessor(document, number, &document.root) else { continue };
         if source.component != ComponentType::F32 || source.count == 0 {
             continue;
@@ -51,12 +51,12 @@ pub(super) fn quantize(
         // The filter of `meshopt` rounds once more.
         let bits = if is_packed { 16 } else { options.rotation_bits };
         let elements = match rule {
-            Rule::Time => times(&numbers),
-            Rule::Move => moves(&numbers, source.component_count),
-            Rule::Rotation if source.component_count == 4 => {
+            ChannelRule::Time => times(&numbers),
+            ChannelRule::Move => moves(&numbers, source.component_count),
+            ChannelRule::Rotation if source.component_count == 4 => {
                 convert::signed_fractions(&turned(&numbers), 4, bits.clamp(9, 16))
             }
-            Rule::Rotation => None,
+            ChannelRule::Rotation => None,
         };
         let (Some(elements), Ok(old)) = (elements, document.item("accessors", number, &document.root)) else {
             continue;
@@ -65,7 +65,7 @@ pub(super) fn quantize(
         if let Some(name) = old.get("name") {
             accessor["name"] = name.value.clone();
         }
-        if rule == Rule::Time {
+        if rule == ChannelRule::Time {
             elements.declare_bounds(&mut accessor);
         }
         let kind = ViewKind::of_others(&format!("{rule:?}"), &elements);
@@ -78,18 +78,18 @@ pub(super) fn quantize(
 /// Finds the accessors that only keyframes use.
 fn rules(document: &Document<'_>) -> Rules {
     let mut rules = Rules::new();
-    let mut add = |number: Option<u64>, rule: Option<Rule>| {
+    let mut add = |number: Option<u64>, rule: Option<ChannelRule>| {
         if let Some(number) = number {
             let known = rules.entry(number).or_insert(rule);
             *known = known.filter(|known| Some(*known) == rule);
         }
     };
     for animation in entries(document.root.value, "animations") {
-        let mut paths: BTreeMap<usize, Option<Rule>> = BTreeMap::new();
+        let mut paths: BTreeMap<usize, Option<ChannelRule>> = BTreeMap::new();
         for channel in entries(animation, "channels") {
             let rule = match channel.pointer("/target/path").and_then(Value::as_str) {
-                Some("rotation") => Some(Rule::Rotation),
-                Some("translation" | "scale") => Some(Rule::Move),
+                Some("rotation") => Some(ChannelRule::Rotation),
+                Some("translation" | "scale") => Some(ChannelRule::Move),
                 _ => None,
             };
             if let Some(sampler) = index_at(channel, "sampler") {
@@ -100,7 +100,7 @@ fn rules(document: &Document<'_>) -> Rules {
         for (place, sampler) in entries(animation, "samplers").iter().enumerate() {
             let is_spline = sampler.get("interpolation").and_then(Value::as_str) == Some("CUBICSPLINE");
             let rule = paths.get(&place).copied().flatten().filter(|_| !is_spline);
-            add(sampler.get("input").and_then(index), Some(Rule::Time));
+            add(sampler.get("input").and_then(index), Some(ChannelRule::Time));
             add(sampler.get("output").and_then(index), rule);
         }
     }

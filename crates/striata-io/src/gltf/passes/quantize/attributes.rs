@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde_json::{Value, json};
 
 use super::grid::{Grid, Grids};
-use super::{Changes, Texcoords, convert};
+use super::{DocumentChanges, Texcoords, convert};
 use crate::QuantizeOptions;
 use crate::gltf::accessor::{Accessor, accessor};
 use crate::gltf::component_type::ComponentType;
@@ -18,7 +18,7 @@ use crate::gltf::passes::primitives::Primitive;
 
 /// How numbers are converted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Rule {
+enum ConversionRule {
     /// Positions, by the number of their grid.
     Position(usize),
     /// Displacements of positions, by the number of their grid.
@@ -32,20 +32,20 @@ enum Rule {
 
 /// Part of a primitive that refers to an accessor.
 #[derive(Clone, Copy, Debug)]
-enum Part<'a> {
+enum AttributePart<'a> {
     Attribute(&'a str),
     Target(usize, &'a str),
     Indices,
 }
 
 /// Converts and replaces accessors.
-struct Quantizer<'a, 'c, 'r> {
+struct AttributeQuantizer<'a, 'c, 'r> {
     document: &'a Document<'a>,
     grids: &'a Grids,
     options: (&'a QuantizeOptions, Texcoords),
-    changes: &'c mut Changes<'r>,
+    changes: &'c mut DocumentChanges<'r>,
     /// Replacements; [`None`] if an accessor stays as it is.
-    known: BTreeMap<(u64, Rule), Option<usize>>,
+    known: BTreeMap<(u64, ConversionRule), Option<usize>>,
     known_weights: BTreeMap<Vec<u64>, Option<Vec<usize>>>,
 }
 
@@ -54,54 +54,54 @@ pub(super) fn quantize(
     (document, primitives): (&Document<'_>, &[Primitive]),
     grids: &Grids,
     options: (&QuantizeOptions, Texcoords),
-    changes: &mut Changes<'_>,
+    changes: &mut DocumentChanges<'_>,
 ) {
     let (known, known_weights) = (BTreeMap::new(), BTreeMap::new());
-    let mut quantizer = Quantizer { document, grids, options, changes, known, known_weights };
+    let mut quantizer = AttributeQuantizer { document, grids, options, changes, known, known_weights };
     for primitive in primitives {
         quantizer.quantize(primitive);
     }
 }
 
-impl Quantizer<'_, '_, '_> {
+impl AttributeQuantizer<'_, '_, '_> {
     fn quantize(&mut self, primitive: &Primitive) {
         let grid = self.grids.number(primitive.mesh);
         let is_free = primitive.has_triangles() && are_free_of_values(&primitive.extensions);
         for (name, accessor) in &primitive.attributes {
             let rule = match rule_of(name) {
-                Some(Rule::Position(_)) => grid.map(Rule::Position),
+                Some(ConversionRule::Position(_)) => grid.map(ConversionRule::Position),
                 rule => rule.filter(|_| is_free),
             };
             if let Some(rule) = rule {
-                self.replace(primitive, Part::Attribute(name), *accessor, rule);
+                self.replace(primitive, AttributePart::Attribute(name), *accessor, rule);
             }
         }
         for (number, target) in primitive.targets.iter().enumerate() {
             for (name, accessor) in target {
                 let rule = match name.as_str() {
-                    "POSITION" => grid.map(Rule::Displacement),
-                    "NORMAL" | "TANGENT" => Some(Rule::Direction).filter(|_| is_free),
+                    "POSITION" => grid.map(ConversionRule::Displacement),
+                    "NORMAL" | "TANGENT" => Some(ConversionRule::Direction).filter(|_| is_free),
                     _ => None,
                 };
                 if let Some(rule) = rule {
-                    self.replace(primitive, Part::Target(number, name), *accessor, rule);
+                    self.replace(primitive, AttributePart::Target(number, name), *accessor, rule);
                 }
             }
         }
         if is_free {
             if let Some(indices) = primitive.indices {
-                self.replace(primitive, Part::Indices, indices, Rule::Index);
+                self.replace(primitive, AttributePart::Indices, indices, ConversionRule::Index);
             }
             self.replace_weights(primitive);
         }
     }
 
-    fn replace(&mut self, primitive: &Primitive, part: Part<'_>, index: u64, rule: Rule) {
+    fn replace(&mut self, primitive: &Primitive, part: AttributePart<'_>, index: u64, rule: ConversionRule) {
         // Displacements may have the same name as attributes, but are no unit vectors.
         let role = match part {
-            Part::Attribute(name) => name.to_owned(),
-            Part::Target(_, name) => format!("target {name}"),
-            Part::Indices => "indices".to_owned(),
+            AttributePart::Attribute(name) => name.to_owned(),
+            AttributePart::Target(_, name) => format!("target {name}"),
+            AttributePart::Indices => "indices".to_owned(),
         };
         let new = match self.known.get(&(index, rule)) {
             Some(&known) => known,
@@ -118,7 +118,7 @@ impl Quantizer<'_, '_, '_> {
     }
 
     /// Adds an accessor of converted numbers.
-    fn converted(&mut self, index: u64, rule: Rule, role: &str) -> Option<usize> {
+    fn converted(&mut self, index: u64, rule: ConversionRule, role: &str) -> Option<usize> {
         let source = accessor(self.document, index, &self.document.root).ok()?;
         let elements = convert_by(&source, rule, self.grids, self.options)?;
         let old = self.document.item("accessors", index, &self.document.root).ok()?.value;
@@ -130,13 +130,13 @@ impl Quantizer<'_, '_, '_> {
         if let Some(name) = old.get("name") {
             accessor["name"] = name.clone();
         }
-        if matches!(rule, Rule::Position(_) | Rule::Displacement(_)) {
+        if matches!(rule, ConversionRule::Position(_) | ConversionRule::Displacement(_)) {
             elements.declare_bounds(&mut accessor);
         }
-        let is_core = matches!(rule, Rule::Color | Rule::Joints | Rule::Index);
+        let is_core = matches!(rule, ConversionRule::Color | ConversionRule::Joints | ConversionRule::Index);
         self.changes.needs_extension |= !is_core && elements.component != ComponentType::F32;
         let additions = &mut self.changes.additions;
-        if rule == Rule::Index {
+        if rule == ConversionRule::Index {
             return Some(additions.push(ViewKind::of_indices(role, &elements), &elements, accessor));
         }
         if old.get("bufferView").is_none()
@@ -168,7 +168,7 @@ impl Quantizer<'_, '_, '_> {
             }
         };
         for (place, new) in new.into_iter().flatten().enumerate() {
-            if let Some(slot) = slot(self.changes.root, primitive, Part::Attribute(&names[place])) {
+            if let Some(slot) = slot(self.changes.root, primitive, AttributePart::Attribute(&names[place])) {
                 *slot = json!(new);
                 self.changes.replaced.insert(sets[place]);
             }
@@ -194,13 +194,13 @@ impl Quantizer<'_, '_, '_> {
 }
 
 /// Returns the rule for an attribute; the number of the grid is still to be set.
-fn rule_of(name: &str) -> Option<Rule> {
+fn rule_of(name: &str) -> Option<ConversionRule> {
     Some(match name {
-        "POSITION" => Rule::Position(0),
-        "NORMAL" | "TANGENT" => Rule::Direction,
-        name if name.starts_with("TEXCOORD_") => Rule::TextureCoordinate,
-        name if name.starts_with("COLOR_") => Rule::Color,
-        name if name.starts_with("JOINTS_") => Rule::Joints,
+        "POSITION" => ConversionRule::Position(0),
+        "NORMAL" | "TANGENT" => ConversionRule::Direction,
+        name if name.starts_with("TEXCOORD_") => ConversionRule::TextureCoordinate,
+        name if name.starts_with("COLOR_") => ConversionRule::Color,
+        name if name.starts_with("JOINTS_") => ConversionRule::Joints,
         _ => return None,
     })
 }
@@ -208,7 +208,7 @@ fn rule_of(name: &str) -> Option<Rule> {
 /// Converts an accessor; [`None`] if it stays as it is.
 fn convert_by(
     source: &Accessor<'_>,
-    rule: Rule,
+    rule: ConversionRule,
     grids: &Grids,
     (options, texcoords): (&QuantizeOptions, Texcoords),
 ) -> Option<Elements> {
@@ -216,32 +216,32 @@ fn convert_by(
     let (width, floats) = (source.component_count, || source.floats());
     let grid = |number: usize| -> Option<Grid> { *grids.grids.get(number)? };
     match rule {
-        Rule::Position(number) => {
+        ConversionRule::Position(number) => {
             (is_float && width == 3).then_some(())?;
             Some(convert::positions(&floats(), &grid(number)?))
         }
-        Rule::Displacement(number) => {
+        ConversionRule::Displacement(number) => {
             (width == 3).then_some(()).and_then(|()| convert::displacements(&floats(), &grid(number)?))
         }
-        Rule::Direction => {
+        ConversionRule::Direction => {
             (is_float && matches!(width, 3 | 4)).then_some(())?;
             convert::signed_fractions(&floats(), width, options.normal_bits)
         }
-        Rule::TextureCoordinate => {
+        ConversionRule::TextureCoordinate => {
             (is_float && width == 2).then_some(())?;
             convert::texture_coordinates(&floats(), options.texcoord_bits, texcoords)
         }
-        Rule::Color => {
+        ConversionRule::Color => {
             let is_larger = is_float || source.component == ComponentType::U16 && options.color_bits <= 8;
             (is_larger && matches!(width, 3 | 4)).then_some(())?;
             convert::fractions(&floats(), width, options.color_bits)
         }
-        Rule::Joints => {
+        ConversionRule::Joints => {
             (source.component == ComponentType::U16 && width == 4).then_some(())?;
             small_integers(source, 0xff, ComponentType::U8)
         }
         // The largest 16-bit value is left for primitive restart.
-        Rule::Index => {
+        ConversionRule::Index => {
             (source.component == ComponentType::U32 && width == 1).then_some(())?;
             small_integers(source, 0xfffe, ComponentType::U16)
         }
@@ -272,11 +272,13 @@ fn sparse_parts(elements: &Elements) -> Option<(Elements, Elements)> {
 }
 
 /// Returns the reference to an accessor in the document.
-fn slot<'r>(root: &'r mut Value, primitive: &Primitive, part: Part<'_>) -> Option<&'r mut Value> {
+fn slot<'r>(root: &'r mut Value, primitive: &Primitive, part: AttributePart<'_>) -> Option<&'r mut Value> {
     let primitive = root.pointer_mut(&primitive.path())?;
     match part {
-        Part::Attribute(name) => primitive.get_mut("attributes")?.get_mut(name),
-        Part::Target(number, name) => entries_mut(primitive, "targets").get_mut(number)?.get_mut(name),
-        Part::Indices => primitive.get_mut("indices"),
+        AttributePart::Attribute(name) => primitive.get_mut("attributes")?.get_mut(name),
+        AttributePart::Target(number, name) => {
+            entries_mut(primitive, "targets").get_mut(number)?.get_mut(name)
+        }
+        AttributePart::Indices => primitive.get_mut("indices"),
     }
 }

@@ -46,7 +46,7 @@ pub(in crate::gltf) enum Texcoords {
 }
 
 /// Changes that a pass has made so far.
-struct Changes<'a> {
+struct DocumentChanges<'a> {
     /// The document to change; `snapshot` is what it was before.
     root: &'a mut Value,
     additions: Additions,
@@ -62,14 +62,18 @@ pub(in crate::gltf) fn quantize(parts: &mut GltfParts, options: &QuantizeOptions
     let document = open(&snapshot, &parts.binary);
     let (primitives, are_read) = primitives(&snapshot);
     let additions = Additions::new(&snapshot);
-    let mut changes =
-        Changes { root: &mut parts.root, additions, replaced: BTreeSet::new(), needs_extension: false };
+    let mut changes = DocumentChanges {
+        root: &mut parts.root,
+        additions,
+        replaced: BTreeSet::new(),
+        needs_extension: false,
+    };
     let mut grids = shared_grids::grids(&document, &primitives, &are_read, options);
     let placements = placement::placements(&document, &mut grids);
     attributes::quantize((&document, &primitives), &grids, (options, texcoords), &mut changes);
     animations::quantize(&document, (options, texcoords), &mut changes);
     placement::apply(&document, &grids, placements, &mut changes);
-    let Changes { additions, replaced, needs_extension, .. } = changes;
+    let DocumentChanges { additions, replaced, needs_extension, .. } = changes;
     additions.apply(parts, plain_view);
     if needs_extension {
         extensions::require(&mut parts.root, EXTENSION);

@@ -14,7 +14,7 @@ use glam::{DQuat, DVec3};
 use serde_json::{Value, json};
 
 use super::grid::{Grid, Grids};
-use super::{Changes, skins, transforms};
+use super::{DocumentChanges, skins, transforms};
 use crate::gltf::accessor::accessor;
 use crate::gltf::document::Document;
 use crate::gltf::extensions::are_all_known;
@@ -119,7 +119,7 @@ pub(super) fn apply(
     document: &Document<'_>,
     grids: &Grids,
     placements: Vec<Placement>,
-    changes: &mut Changes<'_>,
+    changes: &mut DocumentChanges<'_>,
 ) {
     let busy = busy_nodes(document.root.value);
     let mut uses = Vec::new();
@@ -229,7 +229,7 @@ fn redirect_weights(root: &mut Value, heirs: &BTreeMap<usize, usize>) {
     }
 }
 
-fn set_instances(changes: &mut Changes<'_>, node: usize, translations: Elements, scales: Elements) {
+fn set_instances(changes: &mut DocumentChanges<'_>, node: usize, translations: Elements, scales: Elements) {
     let Some(node) = entries_mut(changes.root, "nodes").get_mut(node) else { return };
     let Some(attributes) = node.pointer_mut(INSTANCING) else { return };
     for (name, elements) in [("TRANSLATION", translations), ("SCALE", scales)] {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use glam::DMat4;
 use serde_json::{Value, json};
 
-use super::Changes;
+use super::DocumentChanges;
 use super::grid::{Grid, Grids};
 use crate::gltf::accessor::accessor;
 use crate::gltf::component_type::ComponentType;
@@ -47,7 +47,7 @@ pub(super) fn matrices(document: &Document<'_>, skin: usize, grid: &Grid) -> Opt
 }
 
 /// Gives each combination of skin and grid its own matrices; skins that serve several are copied.
-pub(super) fn apply(document: &Document<'_>, grids: &Grids, uses: &[Use], changes: &mut Changes<'_>) {
+pub(super) fn apply(document: &Document<'_>, grids: &Grids, uses: &[Use], changes: &mut DocumentChanges<'_>) {
     let root = document.root.value;
     let mut use_counts: BTreeMap<usize, usize> = BTreeMap::new();
     for skin in entries(root, "nodes").iter().filter_map(|node| index_at(node, "skin")) {
@@ -80,7 +80,7 @@ pub(super) fn apply(document: &Document<'_>, grids: &Grids, uses: &[Use], change
 
 /// Sets the matrices of a skin or of a copy of it, and returns its number.
 fn converted_skin(
-    changes: &mut Changes<'_>,
+    changes: &mut DocumentChanges<'_>,
     (snapshot, skin): (&Value, usize),
     is_free: bool,
     matrices: &Elements,

@@ -16,7 +16,7 @@ pub(super) fn history(
     refinable: &RefinableMesh,
     progress: &mut ProgressFn<'_>,
 ) -> Result<History, Cancelled> {
-    let mut replay = Replay::new(refinable);
+    let mut replay = CollapseReplay::new(refinable);
     let step_count = refinable.sequence.step_count();
     for step in (0..step_count).rev() {
         if step % STEPS_PER_REPORT == 0 {
@@ -30,7 +30,7 @@ pub(super) fn history(
 }
 
 /// The current triangles, with a linked list for each vertex.
-struct Replay<'r> {
+struct CollapseReplay<'r> {
     sequence: &'r CollapseSequence,
     /// All triangles found so far.
     triangles: Vec<HistoryTriangle>,
@@ -43,7 +43,7 @@ struct Replay<'r> {
     star: Vec<u32>,
 }
 
-impl<'r> Replay<'r> {
+impl<'r> CollapseReplay<'r> {
     fn new(refinable: &'r RefinableMesh) -> Self {
         let vertex_count = refinable.sequence.positions().vertex_count();
         let mut replay = Self {

@@ -67,7 +67,7 @@ pub(super) fn write_fans(fan: &FanView<'_>, mask: u32, out: &mut Vec<u32>) {
     if mask == 0 {
         return;
     }
-    let ring = Ring::of(fan);
+    let ring = FanRing::of(fan);
     for (first, count) in ring.runs(mask) {
         out.reserve(count + 3);
         out.push(fan.vertex);
@@ -85,7 +85,7 @@ pub(super) fn write_strips(fan: &FanView<'_>, mask: u32, out: &mut Vec<u32>) {
     if mask == 0 {
         return;
     }
-    let (pivot, ring) = (fan.vertex, Ring::of(fan));
+    let (pivot, ring) = (fan.vertex, FanRing::of(fan));
     for (first, count) in ring.runs(mask) {
         let node =
             |i: usize| ring.nodes[if first + i < ring.count { first + i } else { first + i - ring.count }];
@@ -102,13 +102,13 @@ pub(super) fn write_strips(fan: &FanView<'_>, mask: u32, out: &mut Vec<u32>) {
 }
 
 /// The decoded nodes of a fan.
-struct Ring {
+struct FanRing {
     nodes: [u32; MAX_ARCS + 1],
     count: usize,
     is_closed: bool,
 }
 
-impl Ring {
+impl FanRing {
     #[inline]
     fn of(fan: &FanView<'_>) -> Self {
         let mut ring = Self { nodes: [0; MAX_ARCS + 1], count: 0, is_closed: fan.is_closed };

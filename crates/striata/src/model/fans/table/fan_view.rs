@@ -31,8 +31,8 @@ pub(in super::super) struct FanView<'t> {
     pub permanent: u32,
     pub node_count: usize,
     creator_count: usize,
-    numbers: Width,
-    masks: Width,
+    numbers: NumberWidth,
+    masks: NumberWidth,
     /// Bytes from the first node on.
     bytes: &'t [u8],
     /// Offset of the first creator in `bytes`.
@@ -41,12 +41,12 @@ pub(in super::super) struct FanView<'t> {
 
 /// Width of an encoded number.
 #[derive(Clone, Copy, Debug)]
-struct Width {
+struct NumberWidth {
     bytes: usize,
     mask: u32,
 }
 
-impl Width {
+impl NumberWidth {
     #[inline]
     fn new(bytes: usize) -> Self {
         Self { bytes, mask: u32::MAX >> (32 - 8 * bytes) }
@@ -69,9 +69,10 @@ impl<'t> Iterator for Entry<'t> {
         let [flags, creator_flags, rest @ ..] = self.bytes else { return None };
         let mut bytes = rest;
         let group = if self.has_groups { read_varint(&mut bytes)? } else { 0 };
-        let numbers = Width::new(2 + usize::from(flags & WIDE != 0) + usize::from(creator_flags & WIDE != 0));
+        let numbers =
+            NumberWidth::new(2 + usize::from(flags & WIDE != 0) + usize::from(creator_flags & WIDE != 0));
         let arc_count = usize::from(flags & 0x1f) + 1;
-        let masks = Width::new(arc_count.div_ceil(8));
+        let masks = NumberWidth::new(arc_count.div_ceil(8));
         let is_closed = flags & CLOSED != 0;
         let node_count = arc_count + usize::from(!is_closed);
         let permanent_at = numbers.bytes * node_count;
