@@ -10,7 +10,7 @@ use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 
 use crate::color_space::byte_colors;
 use crate::error::{Fault, Place};
-use crate::report::{Kind, Warnings};
+use crate::report::{WarningKind, Warnings};
 use crate::text::{Cursor, plain, push_coordinates, push_f32, push_one_minus_f32, quoted};
 use crate::{Format, losses};
 
@@ -19,7 +19,7 @@ const MAX_KEYWORD: usize = 16;
 
 /// Attributes of each vertex after its position, in this order.
 #[derive(Clone, Copy, Default)]
-pub(crate) struct Layout {
+pub(crate) struct OffLayout {
     has_normal: bool,
     has_color: bool,
     /// Number of color components: 3 or 4; 0 before the first vertex, which shows how many there are.
@@ -43,7 +43,7 @@ pub(crate) struct Columns {
 pub(crate) fn read(bytes: &[u8], warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
     let (mut columns, mut triangles) = (Columns::default(), Vec::new());
     let (mut colors, mut color_values) = (PolygonColors::default(), Vec::new());
-    let vertex = |layout: &Layout, row: &[f32]| columns.push(layout, row);
+    let vertex = |layout: &OffLayout, row: &[f32]| columns.push(layout, row);
     let text = plain(bytes);
     let layout = read_rows(&text, warnings, vertex, |triangle, color| {
         triangles.push(triangle);
@@ -85,9 +85,9 @@ pub(crate) fn visit_coordinates(text: &[u8], mut visit: impl FnMut([f64; 3])) ->
 pub(crate) fn read_rows(
     text: &[u8],
     warnings: &mut Warnings,
-    mut vertex: impl FnMut(&Layout, &[f32]),
+    mut vertex: impl FnMut(&OffLayout, &[f32]),
     mut triangle: impl FnMut([u32; 3], &[f32]),
-) -> Result<Layout, Fault> {
+) -> Result<OffLayout, Fault> {
     let mut cursor = Cursor::new(text);
     cursor.skip_lines(Some(b'#'));
     let mut layout = read_keyword(&mut cursor)?;
@@ -128,8 +128,8 @@ fn in_row(fault: Fault, what: &str, row: usize) -> Fault {
 }
 
 /// Reads the keyword, which may be in any case, have its counts attached (`OFF8 12 0`), or be missing.
-fn read_keyword(cursor: &mut Cursor<'_>) -> Result<Layout, Fault> {
-    let mut layout = Layout { colors_are_bytes: true, ..Layout::default() };
+fn read_keyword(cursor: &mut Cursor<'_>) -> Result<OffLayout, Fault> {
+    let mut layout = OffLayout { colors_are_bytes: true, ..OffLayout::default() };
     let mut ahead = cursor.clone();
     let word = ahead.word();
     if word.strip_prefix(b"-").unwrap_or(word).iter().all(u8::is_ascii_digit) {
@@ -206,7 +206,7 @@ fn check_room(cursor: &Cursor<'_>, count: usize, least_bytes: usize) -> Result<(
 /// Reads the numbers of a vertex.
 fn read_vertex(
     cursor: &mut Cursor<'_>,
-    layout: &mut Layout,
+    layout: &mut OffLayout,
     row: &mut Vec<f32>,
     warnings: &mut Warnings,
 ) -> Result<(), Fault> {
@@ -234,20 +234,20 @@ fn read_vertex(
     Ok(())
 }
 
-const SURPLUS: Kind = Kind("vertex with surplus numbers", "vertices with surplus numbers");
+const SURPLUS: WarningKind = WarningKind("vertex with surplus numbers", "vertices with surplus numbers");
 
 /// Completes the row of a vertex that lacks attributes with NaN, which is repaired like other values that are
 /// no numbers.
 #[cold]
-fn fill_row(cursor: &Cursor<'_>, layout: &Layout, row: &mut Vec<f32>, warnings: &mut Warnings) {
-    let kind = Kind("vertex without some attributes", "vertices without some attributes");
+fn fill_row(cursor: &Cursor<'_>, layout: &OffLayout, row: &mut Vec<f32>, warnings: &mut Warnings) {
+    let kind = WarningKind("vertex without some attributes", "vertices without some attributes");
     let reason = || format!("{} numbers instead of {}", row.len(), layout.row_length());
     warnings.count(kind, || Place::Line(cursor.line()), reason);
     row.resize(layout.row_length(), f32::NAN);
 }
 
 /// Returns how many numbers the color has: 3 or 4. The cursor is after the position.
-fn count_color_words(cursor: &Cursor<'_>, layout: &Layout) -> usize {
+fn count_color_words(cursor: &Cursor<'_>, layout: &OffLayout) -> usize {
     let mut ahead = cursor.clone();
     let mut word_count = 0;
     while !ahead.at_line_end() && ahead.peek() != Some(b'#') {
@@ -295,7 +295,7 @@ impl Polygons {
         }
         if corner_count < 3 {
             let reason = || format!("a polygon with {corner_count} corners");
-            warnings.count(Kind::POLYGONS, || Place::Line(cursor.line()), reason);
+            warnings.count(WarningKind::POLYGONS, || Place::Line(cursor.line()), reason);
         }
         cursor.next_line();
         Ok(())
@@ -311,7 +311,7 @@ impl Polygons {
         }
         if !matches!(self.color.len(), 3 | 4) {
             self.color.clear();
-            let kind = Kind("color of a polygon left out", "colors of polygons left out");
+            let kind = WarningKind("color of a polygon left out", "colors of polygons left out");
             let reason = || "not three or four numbers".to_owned();
             warnings.count(kind, || Place::Line(cursor.line()), reason);
         }
@@ -371,7 +371,7 @@ impl PolygonColors {
     }
 }
 
-impl Layout {
+impl OffLayout {
     /// Returns how many numbers a vertex has.
     pub(crate) fn row_length(&self) -> usize {
         self.color_start() + self.color_count + if self.has_texcoord { 2 } else { 0 }
@@ -388,7 +388,7 @@ impl Layout {
 
 impl Columns {
     /// Appends the numbers of a vertex.
-    pub(crate) fn push(&mut self, layout: &Layout, row: &[f32]) {
+    pub(crate) fn push(&mut self, layout: &OffLayout, row: &[f32]) {
         let (color_start, color) = (layout.color_start(), layout.color_in(row));
         self.positions.push([row[0], row[1], row[2]]);
         self.normals.extend_from_slice(&row[3..color_start]);
@@ -397,7 +397,7 @@ impl Columns {
     }
 
     /// Returns positions and layers.
-    pub(crate) fn into_mesh(self, layout: &Layout) -> (Vec<[f32; 3]>, Vec<AttributeLayer>) {
+    pub(crate) fn into_mesh(self, layout: &OffLayout) -> (Vec<[f32; 3]>, Vec<AttributeLayer>) {
         let mut layers = Vec::new();
         if layout.has_normal {
             layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, self.normals));

@@ -13,9 +13,9 @@ use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 
 use crate::ReadError;
 use crate::error::Place;
-use crate::report::{Kind, Warnings, with_commas};
+use crate::report::{WarningKind, Warnings, with_commas};
 
-const TRIANGLES: Kind = Kind("triangle left out", "triangles left out");
+const TRIANGLES: WarningKind = WarningKind("triangle left out", "triangles left out");
 
 /// Leaves out vertices whose positions are not finite, and replaces values of attributes that are not.
 pub(crate) fn repair(mesh: &mut IndexedMesh, warnings: &mut Warnings) {
@@ -96,15 +96,17 @@ fn drop_vertices(mesh: &mut IndexedMesh, warnings: &mut Warnings) {
 }
 
 /// Returns the text of a warning about repaired values of a semantic.
-fn kind_of(semantic: &Semantic) -> Kind {
+fn kind_of(semantic: &Semantic) -> WarningKind {
     match semantic {
-        Semantic::Normal => Kind("normal computed anew", "normals computed anew"),
-        Semantic::Tangent => Kind("tangent computed anew", "tangents computed anew"),
-        Semantic::Color(_) => Kind("color made white", "colors made white"),
-        Semantic::TexCoord(_) => Kind("texture coordinate set to 0", "texture coordinates set to 0"),
-        Semantic::Weights(_) => Kind("set of joint weights normalized", "sets of joint weights normalized"),
-        Semantic::Joints(_) => Kind("set of joints set to 0", "sets of joints set to 0"),
-        _ => Kind("morph displacement set to 0", "morph displacements set to 0"),
+        Semantic::Normal => WarningKind("normal computed anew", "normals computed anew"),
+        Semantic::Tangent => WarningKind("tangent computed anew", "tangents computed anew"),
+        Semantic::Color(_) => WarningKind("color made white", "colors made white"),
+        Semantic::TexCoord(_) => WarningKind("texture coordinate set to 0", "texture coordinates set to 0"),
+        Semantic::Weights(_) => {
+            WarningKind("set of joint weights normalized", "sets of joint weights normalized")
+        }
+        Semantic::Joints(_) => WarningKind("set of joints set to 0", "sets of joints set to 0"),
+        _ => WarningKind("morph displacement set to 0", "morph displacements set to 0"),
     }
 }
 

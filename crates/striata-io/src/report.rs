@@ -24,7 +24,7 @@ pub struct Warning {
     pub place: Place,
     /// Description of what was found in the first case, and what was done.
     pub reason: String,
-    kind: Kind,
+    kind: WarningKind,
 }
 
 impl Warning {
@@ -79,9 +79,9 @@ pub struct ReadReport {
 
 /// Kind of warning that counts its cases: what happened to one, and to several.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Kind(pub(crate) &'static str, pub(crate) &'static str);
+pub(crate) struct WarningKind(pub(crate) &'static str, pub(crate) &'static str);
 
-impl Kind {
+impl WarningKind {
     /// The reason says everything.
     const NONE: Self = Self("", "");
     pub(crate) const LINES: Self = Self("line skipped", "lines skipped");
@@ -124,12 +124,18 @@ impl Warnings {
     /// Adds a remark on another file. A reason that was given before is only counted.
     pub(crate) fn push_for(&mut self, file: &str, place: Place, reason: impl Into<String>) {
         let reason = reason.into();
-        let same = |w: &&mut Warning| w.kind == Kind::NONE && w.reason == reason && w.file == file;
+        let same = |w: &&mut Warning| w.kind == WarningKind::NONE && w.reason == reason && w.file == file;
         match self.kept.iter_mut().find(same) {
             Some(known) if known.place == place => {}
             Some(known) => known.count += 1,
             None => {
-                self.keep(Warning { file: file.to_owned(), count: 1, place, reason, kind: Kind::NONE });
+                self.keep(Warning {
+                    file: file.to_owned(),
+                    count: 1,
+                    place,
+                    reason,
+                    kind: WarningKind::NONE,
+                });
             }
         }
     }
@@ -138,7 +144,7 @@ impl Warnings {
     #[cold]
     pub(crate) fn count(
         &mut self,
-        kind: Kind,
+        kind: WarningKind,
         place: impl FnOnce() -> Place,
         reason: impl FnOnce() -> String,
     ) {
@@ -146,7 +152,12 @@ impl Warnings {
     }
 
     /// Counts more cases of a kind; `first` is only asked for the first ones.
-    pub(crate) fn count_many(&mut self, kind: Kind, count: u64, first: impl FnOnce() -> (Place, String)) {
+    pub(crate) fn count_many(
+        &mut self,
+        kind: WarningKind,
+        count: u64,
+        first: impl FnOnce() -> (Place, String),
+    ) {
         if count == 0 {
             return;
         }
@@ -160,7 +171,7 @@ impl Warnings {
     }
 
     /// Returns the first case of a kind.
-    pub(crate) fn first_of(&self, kind: Kind) -> Option<&Warning> {
+    pub(crate) fn first_of(&self, kind: WarningKind) -> Option<&Warning> {
         self.kept.iter().find(|w| w.kind == kind)
     }
 
@@ -171,7 +182,7 @@ impl Warnings {
 
     /// Describes the points, lines and curves that were left out, if there were any.
     pub(crate) fn shapes(&self) -> Option<String> {
-        let count = self.first_of(Kind::SHAPES)?.count;
+        let count = self.first_of(WarningKind::SHAPES)?.count;
         Some(format!(
             "{} {}",
             with_commas(count),
@@ -182,7 +193,7 @@ impl Warnings {
     /// Appends the warnings of a part of the reader.
     pub(crate) fn append(&mut self, other: Self) {
         for warning in other.kept {
-            let is_counted = warning.kind != Kind::NONE;
+            let is_counted = warning.kind != WarningKind::NONE;
             let same = |w: &&mut Warning| is_counted && w.kind == warning.kind && w.file == warning.file;
             match self.kept.iter_mut().find(same) {
                 Some(known) => known.count += warning.count,
@@ -194,7 +205,7 @@ impl Warnings {
 
     fn keep(&mut self, warning: Warning) {
         // Kinds are few, and must not be lost behind reasons that differ.
-        if self.kept.len() < MAX_WARNINGS || warning.kind != Kind::NONE {
+        if self.kept.len() < MAX_WARNINGS || warning.kind != WarningKind::NONE {
             self.kept.push(warning);
         } else {
             self.omitted_count += warning.count;
@@ -206,7 +217,7 @@ impl Warnings {
         let Self { file, mut kept, omitted_count } = self;
         if omitted_count > 0 {
             let reason = format!("{omitted_count} more warnings");
-            kept.push(Warning { file, count: 1, place: Place::File, reason, kind: Kind::NONE });
+            kept.push(Warning { file, count: 1, place: Place::File, reason, kind: WarningKind::NONE });
         }
         kept
     }
@@ -230,14 +241,14 @@ mod tests {
             }
         }
         warnings.push(Place::Line(9), "3 left out");
-        warnings.count(Kind::LINES, || Place::Line(200), || "the first".to_owned());
+        warnings.count(WarningKind::LINES, || Place::Line(200), || "the first".to_owned());
         let list = warnings.clone().into_list();
         assert_eq!(list.len(), MAX_WARNINGS + 2);
         assert_eq!(list[3].to_string(), "a.obj: line 3: 3 left out (2 such places)");
         assert_eq!(list[4].to_string(), "a.obj: line 4: 4 left out");
         assert_eq!(list[MAX_WARNINGS].to_string(), "a.obj: 1 line skipped, line 200: the first");
         assert_eq!(list[MAX_WARNINGS + 1].to_string(), "a.obj: 100 more warnings");
-        warnings.count_many(Kind::LINES, 1233, || unreachable!());
+        warnings.count_many(WarningKind::LINES, 1233, || unreachable!());
         let counted = warnings.into_list()[MAX_WARNINGS].to_string();
         assert_eq!(counted, "a.obj: 1,234 lines skipped, the first is line 200: the first");
     }

@@ -245,9 +245,9 @@ impl<'a> Cursor<'a> {
 
     /// Reads a decimal number.
     #[inline]
-    pub(crate) fn number(&mut self) -> Result<Number<'a>, Fault> {
+    pub(crate) fn number(&mut self) -> Result<TextNumber<'a>, Fault> {
         match self.short_number() {
-            Some((decimal, text)) => Ok(Number { decimal: Some(decimal), text }),
+            Some((decimal, text)) => Ok(TextNumber { decimal: Some(decimal), text }),
             None => self.unusual_number(),
         }
     }
@@ -274,19 +274,19 @@ impl<'a> Cursor<'a> {
             self.at -= text.len();
             return None;
         };
-        let number = Number { decimal: Some(decimal), text };
+        let number = TextNumber { decimal: Some(decimal), text };
         self.has_long_coordinates |= IS_COORDINATE && number.has_more_digits_than(value);
         Some(value)
     }
 
     /// Reads a number that is long, or reports that it is not a number.
     #[cold]
-    fn unusual_number(&mut self) -> Result<Number<'a>, Fault> {
+    fn unusual_number(&mut self) -> Result<TextNumber<'a>, Fault> {
         let word = self.word();
         let text = std::str::from_utf8(word).ok();
         match text.and_then(|t| t.parse::<f32>().ok()) {
-            Some(_) => Ok(Number { decimal: None, text: word }),
-            None if is_not_finite(word) => Ok(Number { decimal: None, text: word }),
+            Some(_) => Ok(TextNumber { decimal: None, text: word }),
+            None if is_not_finite(word) => Ok(TextNumber { decimal: None, text: word }),
             None => Err(self.fault(format!("expected a number, found {}", quoted(word)))),
         }
     }
@@ -389,7 +389,7 @@ fn is_not_finite(word: &[u8]) -> bool {
 
 /// Number as text and, if it is short enough, as digits.
 #[derive(Clone, Copy)]
-pub(crate) struct Number<'a> {
+pub(crate) struct TextNumber<'a> {
     decimal: Option<Decimal>,
     text: &'a [u8],
 }
@@ -432,7 +432,7 @@ impl Decimal {
     }
 }
 
-impl Number<'_> {
+impl TextNumber<'_> {
     #[inline]
     pub(crate) fn to_f32(self) -> f32 {
         match self.decimal.and_then(Decimal::to_f32) {
@@ -611,7 +611,7 @@ pub(crate) fn push_coordinates(out: &mut Vec<u8>, mesh: &striata::mesh::IndexedM
     }
 }
 
-/// Appends `1 - value` as text that [`Number::one_minus_f32`] reads back as `value`.
+/// Appends `1 - value` as text that [`TextNumber::one_minus_f32`] reads back as `value`.
 #[cfg(any(feature = "ply", feature = "obj", feature = "off"))]
 pub(crate) fn push_one_minus_f32(out: &mut Vec<u8>, value: f32) {
     let text = value.to_string();

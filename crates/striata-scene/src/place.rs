@@ -9,7 +9,7 @@ use crate::drawn::DrawnInstance;
 
 /// A sphere in the scene that contains a mesh as a matrix shows it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Place {
+pub(crate) struct PlacedSphere {
     sphere: Sphere,
     /// Largest factor by which errors grow, or a little more.
     scale: f64,
@@ -17,7 +17,7 @@ pub(crate) struct Place {
     importance: f64,
 }
 
-impl Place {
+impl PlacedSphere {
     /// Returns the places of an instance. A skinned vertex is between the places where its joints would move
     /// the whole mesh, so there is one for each joint.
     pub(crate) fn of(drawn: &DrawnInstance, sphere: &Sphere) -> Vec<Self> {
@@ -59,7 +59,7 @@ pub(crate) fn sphere_around(mesh: &IndexedMesh) -> Sphere {
 }
 
 /// Returns the split count of the coarsest level whose error is allowed in all places.
-pub(crate) fn split_count(lod: &Lod, places: &[Place], error: &ScreenError) -> usize {
+pub(crate) fn split_count(lod: &Lod, places: &[PlacedSphere], error: &ScreenError) -> usize {
     let is_allowed = |length: f32| places.iter().all(|place| place.allows(length, error));
     // Errors fall as the split count grows.
     lod.sequence().errors().partition_point(|&length| !is_allowed(length)).min(lod.step_count())

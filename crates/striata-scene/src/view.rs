@@ -10,7 +10,7 @@ use striata::{Lod, Target};
 use striata_io::{Scene, SceneInstance};
 
 use crate::lod_scene::LodScene;
-use crate::place::{Place, sphere_around, split_count};
+use crate::place::{PlacedSphere, sphere_around, split_count};
 
 /// Number of tolerances that are tried for a triangle limit, and the largest factor between them.
 const BUDGET_ROUNDS: usize = 32;
@@ -105,8 +105,8 @@ fn uniform_level(lod: &Lod, instances: &[&SceneInstance], error: &ScreenError) -
     let sphere = sphere_around(lod.mesh());
     let place_of = |instance: &&SceneInstance| {
         let matrix = glam::DMat4::from_cols_array(&instance.transform);
-        Place::new(&matrix, instance.scale, &sphere).with_importance(instance.importance)
+        PlacedSphere::new(&matrix, instance.scale, &sphere).with_importance(instance.importance)
     };
-    let places: Vec<Place> = instances.iter().map(place_of).collect();
+    let places: Vec<PlacedSphere> = instances.iter().map(place_of).collect();
     split_count(lod, &places, error)
 }

@@ -24,7 +24,7 @@ use crate::{limits, stored_model};
 
 /// Kind of input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum InputKind {
     #[cfg(feature = "stream")]
     Stream,
     #[cfg(feature = "files")]
@@ -32,7 +32,7 @@ pub(crate) enum Kind {
     Mesh,
 }
 
-impl Kind {
+impl InputKind {
     pub(crate) fn as_str(self) -> &'static str {
         match self {
             #[cfg(feature = "stream")]
@@ -52,7 +52,7 @@ impl Kind {
 #[wasm_bindgen]
 pub struct Model {
     levels: Box<dyn Leveled>,
-    kind: Kind,
+    kind: InputKind,
     shown: ShownLevel,
 }
 
@@ -280,12 +280,13 @@ impl fmt::Debug for Model {
 impl Model {
     /// A model that is decoded from a stream.
     pub(crate) fn of_stream(streamed: StreamedModel) -> Self {
-        Self { levels: Box::new(streamed), kind: Kind::Stream, shown: ShownLevel::default() }
+        Self { levels: Box::new(streamed), kind: InputKind::Stream, shown: ShownLevel::default() }
     }
 
     /// A model of a mesh that was simplified by another module. Shows the full mesh.
     pub(crate) fn of_prefixes(prefixes: PrefixModel) -> Self {
-        let mut model = Self { levels: Box::new(prefixes), kind: Kind::Mesh, shown: ShownLevel::default() };
+        let mut model =
+            Self { levels: Box::new(prefixes), kind: InputKind::Mesh, shown: ShownLevel::default() };
         model.show_detail(1.0);
         model
     }
@@ -301,9 +302,9 @@ impl Model {
         limits::check_file(bytes.len())?;
         let (levels, kind) = match Format::detect(&bytes, name) {
             #[cfg(feature = "stream")]
-            Some(Format::Stream) => (whole_stream(&bytes)?, Kind::Stream),
-            Some(Format::Striata) => (striata_file(&bytes)?, Kind::Striata),
-            _ => (boxed(BuiltModel::from_mesh_file(bytes, name, progress)?), Kind::Mesh),
+            Some(Format::Stream) => (whole_stream(&bytes)?, InputKind::Stream),
+            Some(Format::Striata) => (striata_file(&bytes)?, InputKind::Striata),
+            _ => (boxed(BuiltModel::from_mesh_file(bytes, name, progress)?), InputKind::Mesh),
         };
         let mut model = Self { levels, kind, shown: ShownLevel::default() };
         model.show_detail(1.0);

@@ -7,11 +7,11 @@ use striata_scene::stream::SceneStreamDecoder;
 
 /// Decoder and changed triangles that the models of the meshes read.
 #[derive(Debug, Default)]
-pub(crate) struct SceneParts {
+pub(crate) struct StreamedSceneParts {
     pub decoder: SceneStreamDecoder,
     /// Triangles of each mesh that have changed, with duplicates.
     pub changed: Vec<Vec<u32>>,
 }
 
 /// Parts of a scene, shared by the models of its meshes.
-pub(crate) type SharedScene = Rc<RefCell<SceneParts>>;
+pub(crate) type SharedScene = Rc<RefCell<StreamedSceneParts>>;

@@ -11,7 +11,7 @@ use super::ply_writer::PlyWriter;
 use super::scratch::ScratchFolder;
 use super::shared_vertices::write_shared;
 use crate::pieces::gltf::GltfPieces;
-use crate::pieces::input::Input;
+use crate::pieces::input::PieceInput;
 use crate::pieces::obj::ObjPieces;
 use crate::pieces::off::OffPieces;
 use crate::pieces::ply::must_be_read_at_once;
@@ -48,7 +48,7 @@ impl BinaryPly {
         if path.metadata().is_ok_and(|metadata| !metadata.is_file()) {
             return Err(refused("what is not a regular file"));
         }
-        let input = Input::open(path, &options)?;
+        let input = PieceInput::open(path, &options)?;
         match Format::detect(&input.bytes, &input.inner_name) {
             Some(Format::Ply) => Self::of_ply(input, &options),
             Some(Format::Stl) => Self::of_pieces(&Repaired::new(StlPieces::open(input, &options)?), scratch),
@@ -68,7 +68,7 @@ impl BinaryPly {
         Self::of_pieces(&*crate::pieces::open_pieces(path, &options)?, scratch)
     }
 
-    fn of_ply(input: Input, options: &PieceOptions) -> Result<Self, ReadError> {
+    fn of_ply(input: PieceInput, options: &PieceOptions) -> Result<Self, ReadError> {
         let header = Header::read(&input.bytes).map_err(|fault| fault.in_file(&input.name))?;
         let file = match header.encoding {
             Encoding::Ascii => {

@@ -14,27 +14,27 @@ const SLOT_COUNT: usize = 512;
 
 /// Part of a file, accessed through cached pages.
 #[derive(Debug)]
-pub(super) struct PagedFile {
+pub(super) struct CachedFile {
     file: FileView,
     /// Offset of the first page in the file.
     start: u64,
     bytes: u64,
-    pages: Vec<Page>,
+    pages: Vec<CachedPage>,
 }
 
 /// Cached page.
 #[derive(Clone, Debug, Default)]
-struct Page {
+struct CachedPage {
     index: Option<u64>,
     is_changed: bool,
     bytes: Vec<u8>,
 }
 
-impl PagedFile {
+impl CachedFile {
     /// Opens the part of a file that starts at `start` and is `bytes` long.
     pub(super) fn new(file: FileView, start: u64, bytes: u64) -> Self {
         let page_count = bytes.div_ceil(PAGE_BYTES as u64).clamp(1, SLOT_COUNT as u64);
-        Self { file, start, bytes, pages: vec![Page::default(); page_count as usize] }
+        Self { file, start, bytes, pages: vec![CachedPage::default(); page_count as usize] }
     }
 
     /// Fills `out` with the bytes from `at` on.
@@ -72,7 +72,7 @@ impl PagedFile {
 
     /// Returns the page of a byte, and the offset of that byte in it.
     #[inline]
-    fn page(&mut self, at: u64) -> io::Result<(&mut Page, usize)> {
+    fn page(&mut self, at: u64) -> io::Result<(&mut CachedPage, usize)> {
         let (index, first) = (at / PAGE_BYTES as u64, (at % PAGE_BYTES as u64) as usize);
         let slot = (index % self.pages.len() as u64) as usize;
         if self.pages[slot].index != Some(index) {
@@ -110,7 +110,7 @@ mod tests {
         // Three times what fits into the cache, and half a page.
         let count = (3 * SLOT_COUNT * PAGE_BYTES + PAGE_BYTES / 2) as u32 / 4;
         file.set_len(u64::from(count) * 4).unwrap();
-        let mut paged = PagedFile::new(FileView::new(Arc::new(file)), 0, u64::from(count) * 4);
+        let mut paged = CachedFile::new(FileView::new(Arc::new(file)), 0, u64::from(count) * 4);
         let step = PAGE_BYTES as u32 / 4 + 7;
         for index in (0..count).step_by(step as usize) {
             paged.write_u32(index, index ^ 0x5555).unwrap();
@@ -127,7 +127,7 @@ mod tests {
         let mut file = tempfile::tempfile().unwrap();
         let bytes: Vec<u8> = (0..2 * PAGE_BYTES + 9).map(|i| (i * 7 % 251) as u8).collect();
         file.write_all(&bytes).unwrap();
-        let mut paged = PagedFile::new(FileView::new(Arc::new(file)), 5, bytes.len() as u64 - 5);
+        let mut paged = CachedFile::new(FileView::new(Arc::new(file)), 5, bytes.len() as u64 - 5);
         let mut out = [0; 12];
         paged.read(PAGE_BYTES as u64 - 3, &mut out).unwrap();
         assert_eq!(out, bytes[PAGE_BYTES + 2..PAGE_BYTES + 14]);

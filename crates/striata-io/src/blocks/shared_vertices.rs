@@ -14,10 +14,10 @@ use std::fs::File;
 use std::io;
 use std::sync::Arc;
 
-use super::paged::PagedFile;
+use super::paged::CachedFile;
 use super::ply_writer::PlyWriter;
 use super::scratch::ScratchFolder;
-use super::sorter::{Record, SortedRecords, Sorter};
+use super::sorter::{SortRecord, SortedRecords, Sorter};
 use crate::ReadError;
 use crate::error::{Fault, Place};
 use crate::file_view::FileView;
@@ -56,11 +56,11 @@ pub(super) fn write_shared(
     let numbers_file = scratch.file()?;
     let numbers_bytes = 4 * firsts.corner_count;
     numbers_file.set_len(numbers_bytes).map_err(io)?;
-    let mut numbers = PagedFile::new(FileView::new(Arc::new(numbers_file)), 0, numbers_bytes);
+    let mut numbers = CachedFile::new(FileView::new(Arc::new(numbers_file)), 0, numbers_bytes);
     triangles.for_each(&mut |triangle| {
         let mut corners = [0; 3];
         for (k, corner) in corners.iter_mut().enumerate() {
-            let Some(Record { key: place, index: first, .. }) = firsts.sorted.next().map_err(io)? else {
+            let Some(SortRecord { key: place, index: first, .. }) = firsts.sorted.next().map_err(io)? else {
                 return Err(scratch.error(io::ErrorKind::UnexpectedEof.into()));
             };
             *corner = if place == u64::from(first) {
@@ -89,7 +89,7 @@ fn first_corners(triangles: &dyn KeyedTriangles, scratch: &ScratchFolder) -> Res
     triangles.for_each(&mut |triangle| {
         for [a, b, c] in triangle.keys {
             let key = u64::from(a) << 32 | u64::from(b);
-            by_key.push(Record { key, index: c, corners: [next, 0, 0] }).map_err(io)?;
+            by_key.push(SortRecord { key, index: c, corners: [next, 0, 0] }).map_err(io)?;
             next = next.checked_add(1).ok_or_else(|| {
                 let reason = format!("more than {} triangles cannot be numbered", u32::MAX / 3);
                 Fault::Malformed(Place::File, reason).in_file(&triangles.summary().name)
@@ -99,13 +99,13 @@ fn first_corners(triangles: &dyn KeyedTriangles, scratch: &ScratchFolder) -> Res
     })?;
     let mut by_corner = Sorter::new(scratch.file()?);
     let mut sorted = by_key.merged().map_err(io)?;
-    let mut last: Option<Record> = None;
+    let mut last: Option<SortRecord> = None;
     while let Some(record) = sorted.next().map_err(io)? {
         let same = last.filter(|last| (last.key, last.index) == (record.key, record.index));
         let first = same.unwrap_or(record);
         last = Some(first);
         let (corner, first) = (record.corners[0], first.corners[0]);
-        by_corner.push(Record { key: u64::from(corner), index: first, corners: [0; 3] }).map_err(io)?;
+        by_corner.push(SortRecord { key: u64::from(corner), index: first, corners: [0; 3] }).map_err(io)?;
     }
     drop(sorted);
     Ok(FirstCorners { sorted: by_corner.merged().map_err(io)?, corner_count: u64::from(next) })

@@ -11,7 +11,7 @@ use std::io::{self, BufWriter, Read, Seek, SeekFrom, Write};
 
 /// Triangle to be sorted: its position along the curve, its index in the input file, and its corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Record {
+pub(super) struct SortRecord {
     pub key: u64,
     pub index: u32,
     pub corners: [u32; 3],
@@ -24,7 +24,7 @@ const RUN_RECORDS: usize = 1 << 18;
 const BUFFER_BYTES: usize = 1 << 23;
 const MIN_BUFFER_BYTES: usize = 170 * RECORD_BYTES;
 
-impl Record {
+impl SortRecord {
     fn to_bytes(self) -> [u8; RECORD_BYTES] {
         let mut bytes = [0; RECORD_BYTES];
         bytes[..8].copy_from_slice(&self.key.to_le_bytes());
@@ -45,7 +45,7 @@ impl Record {
 /// Collects records in any order.
 #[derive(Debug)]
 pub(super) struct Sorter {
-    run: Vec<Record>,
+    run: Vec<SortRecord>,
     file: BufWriter<File>,
     /// End of each run, in records.
     ends: Vec<u64>,
@@ -58,7 +58,7 @@ impl Sorter {
     }
 
     /// Adds a record.
-    pub(super) fn push(&mut self, record: Record) -> io::Result<()> {
+    pub(super) fn push(&mut self, record: SortRecord) -> io::Result<()> {
         self.run.push(record);
         if self.run.len() == RUN_RECORDS { self.end_run() } else { Ok(()) }
     }
@@ -100,7 +100,7 @@ impl Sorter {
 pub(super) struct SortedRecords {
     file: File,
     runs: Vec<SortedRun>,
-    heads: BinaryHeap<Reverse<(Record, usize)>>,
+    heads: BinaryHeap<Reverse<(SortRecord, usize)>>,
     buffer_records: usize,
 }
 
@@ -115,7 +115,7 @@ struct SortedRun {
 
 impl SortedRecords {
     /// Returns the next record, or [`None`] after the last.
-    pub(super) fn next(&mut self) -> io::Result<Option<Record>> {
+    pub(super) fn next(&mut self) -> io::Result<Option<SortRecord>> {
         let Some(Reverse((record, run))) = self.heads.pop() else { return Ok(None) };
         self.push_head(run)?;
         Ok(Some(record))
@@ -132,7 +132,7 @@ impl SortedRecords {
             (run.next, run.at) = (run.next + count, 0);
         }
         if let Some(bytes) = run.buffer[run.at..].first_chunk() {
-            self.heads.push(Reverse((Record::from_bytes(bytes), index)));
+            self.heads.push(Reverse((SortRecord::from_bytes(bytes), index)));
             run.at += RECORD_BYTES;
         }
         Ok(())
@@ -147,7 +147,7 @@ mod tests {
     fn many_runs_come_out_in_order() {
         let mut sorter = Sorter::new(tempfile::tempfile().unwrap());
         let count = 2 * RUN_RECORDS as u32 + 1000;
-        let record = |index: u32| Record {
+        let record = |index: u32| SortRecord {
             key: u64::from(index.wrapping_mul(0x9E37_79B9) >> 8),
             index,
             corners: [index, index + 1, index ^ 1],

@@ -9,9 +9,9 @@ use striata::mesh::{AttributeLayer, Bounds};
 use striata_strip::{Block, BlockCurve, BlockSource, BlockTriangle, block_length};
 
 use super::binary_ply::BinaryPly;
-use super::paged::PagedFile;
+use super::paged::CachedFile;
 use super::scratch::ScratchFolder;
-use super::sorter::{Record, SortedRecords, Sorter};
+use super::sorter::{SortRecord, SortedRecords, Sorter};
 use crate::error::{Fault, Place};
 use crate::file_view::FileView;
 use crate::lost_data::{self, name_of};
@@ -34,7 +34,7 @@ pub struct TriangleBlocks {
     /// First triangle of each block, followed by the triangle count.
     starts: Vec<u64>,
     /// Last block that uses each vertex.
-    last_blocks: PagedFile,
+    last_blocks: CachedFile,
     bounds: Option<Bounds>,
 }
 
@@ -211,7 +211,7 @@ fn sorted_triangles(
     let curve = BlockCurve::new(bounds);
     let mut sorter = Sorter::new(scratch.file()?);
     let vertices_bytes = u64::from(stream.vertex_count) * stream.stride as u64;
-    let mut vertices = PagedFile::new(stream.file(), stream.vertices_offset, vertices_bytes);
+    let mut vertices = CachedFile::new(stream.file(), stream.vertices_offset, vertices_bytes);
     let mut row = vec![0; stream.stride];
     let mut index = 0u32;
     stream.for_each_triangle(|corners| {
@@ -221,7 +221,7 @@ fn sorted_triangles(
             vertices.read(at, &mut row).map_err(|error| stream.io(error))?;
             *point = stream.position(&row);
         }
-        let record = Record { key: curve.key(points), index, corners };
+        let record = SortRecord { key: curve.key(points), index, corners };
         index = index.checked_add(1).ok_or_else(|| {
             let reason = format!("more than {} triangles cannot be numbered", u32::MAX);
             Fault::Malformed(Place::File, reason).in_file(stream.name())
@@ -235,16 +235,16 @@ fn sorted_triangles(
 struct BlockFiles {
     triangles: File,
     starts: Vec<u64>,
-    last_blocks: PagedFile,
+    last_blocks: CachedFile,
 }
 
 /// Cuts sorted triangles into blocks, and records the last block that uses each vertex.
 struct BlockCutter {
     triangles: BufWriter<File>,
-    last_blocks: PagedFile,
+    last_blocks: CachedFile,
     starts: Vec<u64>,
     /// The next triangles, in the order of their keys.
-    ahead: Vec<Record>,
+    ahead: Vec<SortRecord>,
 }
 
 impl BlockCutter {
@@ -254,7 +254,7 @@ impl BlockCutter {
         last_blocks.set_len(bytes).map_err(|error| scratch.error(error))?;
         Ok(Self {
             triangles: BufWriter::with_capacity(1 << 16, scratch.file()?),
-            last_blocks: PagedFile::new(FileView::new(Arc::new(last_blocks)), 0, bytes),
+            last_blocks: CachedFile::new(FileView::new(Arc::new(last_blocks)), 0, bytes),
             starts: vec![0],
             ahead: Vec::new(),
         })

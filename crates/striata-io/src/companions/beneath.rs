@@ -17,7 +17,7 @@ pub(super) enum Missing {
 mod web {
     use std::path::Path;
 
-    use super::super::OpenedFile;
+    use super::super::FoundFile;
     use super::super::names::RelativePath;
     use super::Missing;
 
@@ -31,7 +31,7 @@ mod web {
             _folder: &Path,
             _path: &RelativePath,
             _in_any_case: bool,
-        ) -> Result<OpenedFile, Missing> {
+        ) -> Result<FoundFile, Missing> {
             Err(Missing::NotFound)
         }
     }
@@ -46,7 +46,7 @@ mod native {
     use cap_std::ambient_authority;
     use cap_std::fs::Dir;
 
-    use super::super::OpenedFile;
+    use super::super::FoundFile;
     use super::super::names::RelativePath;
     use super::Missing;
 
@@ -74,7 +74,7 @@ mod native {
             folder: &Path,
             path: &RelativePath,
             in_any_case: bool,
-        ) -> Result<OpenedFile, Missing> {
+        ) -> Result<FoundFile, Missing> {
             if path.parts.is_empty() {
                 return Err(Missing::NotFound);
             }
@@ -125,13 +125,13 @@ mod native {
             Some(Self { dir, path, listings: BTreeMap::new() })
         }
 
-        fn open(&self, relative: &str) -> Result<OpenedFile, Missing> {
+        fn open(&self, relative: &str) -> Result<FoundFile, Missing> {
             // Opening a pipe would block until it has a writer.
             if !self.dir.metadata(relative).map_err(|error| missing(&error))?.is_file() {
                 return Err(Missing::Refused("not a regular file".to_owned()));
             }
             let file = self.dir.open(relative).map_err(|error| missing(&error))?;
-            Ok(OpenedFile { file: file.into_std(), path: self.path.join(relative) })
+            Ok(FoundFile { file: file.into_std(), path: self.path.join(relative) })
         }
 
         /// Finds a path whose parts have the given names in upper or lower case.

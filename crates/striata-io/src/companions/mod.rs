@@ -33,12 +33,12 @@ pub(crate) struct Companion {
     /// Path relative to the folder of the source, with `/` as separator; the file may not exist.
     pub relative: String,
     /// The file, or the reason why there is none.
-    pub file: Result<OpenedFile, String>,
+    pub file: Result<FoundFile, String>,
 }
 
 /// A regular file that has been found and opened.
 #[derive(Debug)]
-pub(crate) struct OpenedFile {
+pub(crate) struct FoundFile {
     pub file: File,
     /// Path at which it was found, for messages and to recognize it.
     pub path: PathBuf,
@@ -81,7 +81,7 @@ impl<'a> Companions<'a> {
     }
 
     /// Opens the first of several names that exists.
-    fn open_first<'n>(&mut self, names: &'n Names) -> Result<(&'n RelativePath, OpenedFile), String> {
+    fn open_first<'n>(&mut self, names: &'n Names) -> Result<(&'n RelativePath, FoundFile), String> {
         let Some(folder) = self.source.folder else {
             return Err("the folder of the file is not known".to_owned());
         };

@@ -3,24 +3,24 @@
 
 use std::ops::Deref;
 
-use super::component_type::ComponentType;
-use super::document::Document;
+use super::component_type::GltfComponentType;
+use super::document::GltfDocument;
 use super::json::JsonNode;
 use crate::error::{Fault, Place};
 
 /// Number and types of an accessor's elements.
 #[derive(Clone)]
-pub(crate) struct Shape {
+pub(crate) struct AccessorShape {
     pub count: usize,
     pub component_count: usize,
-    pub(super) component: ComponentType,
+    pub(super) component: GltfComponentType,
     pub(super) normalized: bool,
     path: String,
 }
 
 /// Checked accessor: all its elements lie within `bytes`.
 pub(crate) struct Accessor<'a> {
-    pub(super) shape: Shape,
+    pub(super) shape: AccessorShape,
     /// Bytes from the first element on, or [`None`] if all elements are initially zero.
     pub(super) bytes: Option<&'a [u8]>,
     pub(super) stride: usize,
@@ -30,7 +30,7 @@ pub(crate) struct Accessor<'a> {
 /// Replacements for some elements of the array.
 pub(super) struct Sparse<'a> {
     pub count: usize,
-    pub index_type: ComponentType,
+    pub index_type: GltfComponentType,
     indices: &'a [u8],
     pub values: &'a [u8],
     element_bytes: usize,
@@ -38,12 +38,12 @@ pub(super) struct Sparse<'a> {
 
 /// Reads and checks accessor `index`; `from` is the value that refers to it.
 pub(super) fn accessor<'a>(
-    document: &'a Document<'_>,
+    document: &'a GltfDocument<'_>,
     index: u64,
     from: &JsonNode<'_>,
 ) -> Result<Accessor<'a>, Fault> {
     let at = document.item("accessors", index, from)?;
-    let shape = Shape::parse(document, &at)?;
+    let shape = AccessorShape::parse(document, &at)?;
     let (bytes, stride) = match at.unsigned("bufferView")? {
         Some(view) => {
             let (bytes, stride) = document.view(view, &at)?;
@@ -56,8 +56,8 @@ pub(super) fn accessor<'a>(
     Ok(Accessor { shape, bytes, stride, sparse })
 }
 
-impl Shape {
-    pub(super) fn parse(document: &Document<'_>, at: &JsonNode<'_>) -> Result<Self, Fault> {
+impl AccessorShape {
+    pub(super) fn parse(document: &GltfDocument<'_>, at: &JsonNode<'_>) -> Result<Self, Fault> {
         let component = component_type(at)?;
         let component_count = component_count(at, component)?;
         let count = at.required_unsigned("count")?;
@@ -102,20 +102,20 @@ impl Shape {
 }
 
 impl Deref for Accessor<'_> {
-    type Target = Shape;
+    type Target = AccessorShape;
 
-    fn deref(&self) -> &Shape {
+    fn deref(&self) -> &AccessorShape {
         &self.shape
     }
 }
 
-fn component_type(at: &JsonNode<'_>) -> Result<ComponentType, Fault> {
+fn component_type(at: &JsonNode<'_>) -> Result<GltfComponentType, Fault> {
     let number = at.required_unsigned("componentType")?;
-    ComponentType::from_number(number)
+    GltfComponentType::from_number(number)
         .ok_or_else(|| at.fault(format!("no component type is numbered {number}")))
 }
 
-fn component_count(at: &JsonNode<'_>, component: ComponentType) -> Result<usize, Fault> {
+fn component_count(at: &JsonNode<'_>, component: GltfComponentType) -> Result<usize, Fault> {
     let count = match at.text("type") {
         "SCALAR" => 1,
         "VEC2" => 2,
@@ -155,7 +155,11 @@ fn elements(
     }
 }
 
-fn sparse<'a>(document: &'a Document<'_>, at: &JsonNode<'_>, shape: &Shape) -> Result<Sparse<'a>, Fault> {
+fn sparse<'a>(
+    document: &'a GltfDocument<'_>,
+    at: &JsonNode<'_>,
+    shape: &AccessorShape,
+) -> Result<Sparse<'a>, Fault> {
     let count = at.required_unsigned("count")?;
     if count > shape.count as u64 {
         return Err(at.fault(format!("{count} replacements for {} elements", shape.count)));
@@ -164,7 +168,7 @@ fn sparse<'a>(document: &'a Document<'_>, at: &JsonNode<'_>, shape: &Shape) -> R
     let part = |key: &str| at.get(key).ok_or_else(|| at.fault(format!("`{key}` is missing")));
     let (index_at, value_at) = (part("indices")?, part("values")?);
     let index_type = component_type(&index_at)?;
-    if !matches!(index_type, ComponentType::U8 | ComponentType::U16 | ComponentType::U32) {
+    if !matches!(index_type, GltfComponentType::U8 | GltfComponentType::U16 | GltfComponentType::U32) {
         return Err(index_at.fault("indices must be unsigned integers"));
     }
     let bytes_of = |at: &JsonNode<'_>, size: usize| {
@@ -196,7 +200,7 @@ impl Sparse<'_> {
     }
 
     /// Whether it takes fewer bytes than all elements of its accessor, and its numbers rise as they must.
-    pub(super) fn is_smaller_than(&self, shape: &Shape) -> bool {
+    pub(super) fn is_smaller_than(&self, shape: &AccessorShape) -> bool {
         let bytes = self.index_bytes().len() + self.value_bytes().len() + SPARSE_JSON_BYTES;
         bytes < shape.count * shape.element_bytes() && self.indices().is_sorted_by(|a, b| a < b)
     }
@@ -217,11 +221,12 @@ impl<'a> Accessor<'a> {
     pub(super) fn packed(
         count: usize,
         [component_count, stride]: [usize; 2],
-        component: ComponentType,
+        component: GltfComponentType,
         bytes: &'a [u8],
         path: &str,
     ) -> Self {
-        let shape = Shape { count, component_count, component, normalized: false, path: path.to_owned() };
+        let shape =
+            AccessorShape { count, component_count, component, normalized: false, path: path.to_owned() };
         Self { shape, bytes: Some(bytes), stride, sparse: None }
     }
 }
@@ -231,22 +236,22 @@ impl Accessor<'_> {
     pub(crate) fn floats(&self) -> Vec<f32> {
         let one = |x: f32, most: f32| if self.normalized { (x / most).max(-1.0) } else { x };
         match self.component {
-            ComponentType::F32 => self.read::<4, _>(f32::from_le_bytes),
-            ComponentType::I8 => self.read::<1, _>(|[b]| one(f32::from(b as i8), 127.0)),
-            ComponentType::U8 => self.read::<1, _>(|[b]| one(f32::from(b), 255.0)),
-            ComponentType::I16 => self.read::<2, _>(|b| one(f32::from(i16::from_le_bytes(b)), 32767.0)),
-            ComponentType::U16 => self.read::<2, _>(|b| one(f32::from(u16::from_le_bytes(b)), 65535.0)),
-            ComponentType::U32 => self.read::<4, _>(|b| u32::from_le_bytes(b) as f32),
+            GltfComponentType::F32 => self.read::<4, _>(f32::from_le_bytes),
+            GltfComponentType::I8 => self.read::<1, _>(|[b]| one(f32::from(b as i8), 127.0)),
+            GltfComponentType::U8 => self.read::<1, _>(|[b]| one(f32::from(b), 255.0)),
+            GltfComponentType::I16 => self.read::<2, _>(|b| one(f32::from(i16::from_le_bytes(b)), 32767.0)),
+            GltfComponentType::U16 => self.read::<2, _>(|b| one(f32::from(u16::from_le_bytes(b)), 65535.0)),
+            GltfComponentType::U32 => self.read::<4, _>(|b| u32::from_le_bytes(b) as f32),
         }
     }
 
     /// Returns all numbers as integers, or [`None`] if they are signed or floats.
     pub(super) fn integers(&self) -> Option<Vec<u32>> {
         Some(match self.component {
-            ComponentType::U8 => self.read::<1, _>(|[b]| u32::from(b)),
-            ComponentType::U16 => self.read::<2, _>(|b| u32::from(u16::from_le_bytes(b))),
-            ComponentType::U32 => self.read::<4, _>(u32::from_le_bytes),
-            ComponentType::I8 | ComponentType::I16 | ComponentType::F32 => return None,
+            GltfComponentType::U8 => self.read::<1, _>(|[b]| u32::from(b)),
+            GltfComponentType::U16 => self.read::<2, _>(|b| u32::from(u16::from_le_bytes(b))),
+            GltfComponentType::U32 => self.read::<4, _>(u32::from_le_bytes),
+            GltfComponentType::I8 | GltfComponentType::I16 | GltfComponentType::F32 => return None,
         })
     }
 

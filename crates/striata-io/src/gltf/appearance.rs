@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use serde_json::Value;
 use striata::mesh::{Appearance, Image, Material};
 
-use super::document::Document;
+use super::document::GltfDocument;
 use super::json::JsonNode;
 use super::primitive::document_fault;
 use super::uri;
@@ -17,7 +17,7 @@ use crate::images::{ImageBudget, ImageError, image_from_afar, media_type, png_of
 use crate::report::Warnings;
 
 /// Reads the materials, textures, samplers and images of a document.
-pub(crate) fn appearance(document: &Document<'_>, warnings: &mut Warnings) -> Result<Appearance, Fault> {
+pub(crate) fn appearance(document: &GltfDocument<'_>, warnings: &mut Warnings) -> Result<Appearance, Fault> {
     let root = &document.root;
     let mut extensions = BTreeSet::new();
     let mut raw = |at: &JsonNode<'_>| {
@@ -52,7 +52,7 @@ pub(crate) fn appearance(document: &Document<'_>, warnings: &mut Warnings) -> Re
 }
 
 /// Reads all images, with a warning for each file that is not available.
-pub(super) fn images(document: &Document<'_>, warnings: &mut Warnings) -> Result<Vec<Image>, Fault> {
+pub(super) fn images(document: &GltfDocument<'_>, warnings: &mut Warnings) -> Result<Vec<Image>, Fault> {
     let mut reader = ImageReader {
         document,
         companions: Companions::new(&document.source),
@@ -64,7 +64,7 @@ pub(super) fn images(document: &Document<'_>, warnings: &mut Warnings) -> Result
 
 /// Reads images one after another.
 struct ImageReader<'r, 'd> {
-    document: &'r Document<'d>,
+    document: &'r GltfDocument<'d>,
     companions: Companions<'d>,
     budget: ImageBudget,
     warnings: &'r mut Warnings,

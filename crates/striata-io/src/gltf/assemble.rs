@@ -11,7 +11,7 @@ use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, TriangleGr
 
 use super::accessor::Accessor;
 use super::appearance;
-use super::document::Document;
+use super::document::GltfDocument;
 use super::draco::{DracoKey, DracoLink};
 use super::far_origin::{origin_of_corners, placed_corners};
 use super::gpu_instancing::BYTES_PER_INSTANCE;
@@ -78,7 +78,7 @@ struct AssemblyPlan<'a> {
 type BlockKey = (u64, Vec<(Semantic, u64)>, Option<DracoKey>, Option<[u64; 16]>, PoseKey);
 
 /// Builds the mesh of a document's scene.
-pub(super) fn mesh_of(document: &Document<'_>, warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
+pub(super) fn mesh_of(document: &GltfDocument<'_>, warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
     let mut plan = AssemblyPlan::default();
     visit_instances(document, BYTES_PER_INSTANCE, &mut |instance| {
         let transform = Transform::new(instance.matrix);
@@ -112,7 +112,7 @@ pub(super) fn mesh_of(document: &Document<'_>, warnings: &mut Warnings) -> Resul
 /// `used_bytes` is the memory that the meshes of the document take; that of this mesh is added. `numbers` is
 /// the name of a layer with the numbers of the vertices in their accessors.
 pub(super) fn mesh_of_primitives<'a>(
-    document: &Document<'_>,
+    document: &GltfDocument<'_>,
     primitives: impl IntoIterator<Item = Primitive<'a>>,
     used_bytes: &mut u64,
     numbers: Option<&str>,
@@ -168,7 +168,7 @@ impl VertexBlock<'_> {
 impl<'a> AssemblyPlan<'a> {
     fn add(
         &mut self,
-        document: &Document<'_>,
+        document: &GltfDocument<'_>,
         primitive: Primitive<'a>,
         (transform, pose): (Option<Transform>, RestPose),
         name: &'a str,
@@ -206,7 +206,7 @@ impl<'a> AssemblyPlan<'a> {
     /// Checks the accessors of a new block, and widens the formats of the layers for them.
     fn add_block(
         &mut self,
-        document: &Document<'_>,
+        document: &GltfDocument<'_>,
         primitive: Primitive<'a>,
         (transform, pose): (Option<Transform>, RestPose),
     ) -> Result<(), Fault> {
@@ -235,7 +235,7 @@ impl<'a> AssemblyPlan<'a> {
     }
 
     /// Chooses the vertices of each block, and numbers them.
-    fn choose_vertices(&mut self, document: &Document<'_>, unused: Unused) -> Result<(), Fault> {
+    fn choose_vertices(&mut self, document: &GltfDocument<'_>, unused: Unused) -> Result<(), Fault> {
         let mut uses: BTreeMap<u64, u32> = BTreeMap::new();
         for block in &self.blocks {
             *uses.entry(block.primitive.position).or_default() += 1;
@@ -268,7 +268,7 @@ impl<'a> AssemblyPlan<'a> {
     }
 
     /// Refuses a scene whose mesh is far too large for the file.
-    fn check_size(&self, document: &Document<'_>) -> Result<(), Fault> {
+    fn check_size(&self, document: &GltfDocument<'_>) -> Result<(), Fault> {
         let limit = ALWAYS_ALLOWED_BYTES.max(document.input_bytes * BYTES_PER_INPUT_BYTE);
         let bytes = self.total_bytes();
         let is_countable = self.vertex_count < u32::MAX as usize / 4 && self.triangle_limit < 1 << 30;
@@ -294,7 +294,7 @@ impl<'a> AssemblyPlan<'a> {
 
     /// Chooses the origin of a scene whose nodes place meshes far from zero, and makes all transforms relative
     /// to it. Skins have transforms of their own, and keep an origin of zero.
-    fn move_to_origin(&mut self, document: &Document<'_>) -> [f64; 3] {
+    fn move_to_origin(&mut self, document: &GltfDocument<'_>) -> [f64; 3] {
         let has_skins = self.blocks.iter().any(|block| block.pose.has_skin());
         if has_skins || self.blocks.iter().all(|block| block.transform.is_none()) {
             return [0.0; 3];
@@ -310,7 +310,7 @@ impl<'a> AssemblyPlan<'a> {
         origin
     }
 
-    fn positions(&self, document: &Document<'_>) -> Result<Vec<[f32; 3]>, Fault> {
+    fn positions(&self, document: &GltfDocument<'_>) -> Result<Vec<[f32; 3]>, Fault> {
         let mut positions: Vec<[f32; 3]> = Vec::with_capacity(self.vertex_count);
         for block in &self.blocks {
             let accessor = block.primitive.positions(document)?;
@@ -324,7 +324,7 @@ impl<'a> AssemblyPlan<'a> {
         Ok(positions)
     }
 
-    fn layers(&self, document: &Document<'_>) -> Result<Vec<AttributeLayer>, Fault> {
+    fn layers(&self, document: &GltfDocument<'_>) -> Result<Vec<AttributeLayer>, Fault> {
         let mut layers = Vec::with_capacity(self.formats.len());
         for (semantic, format) in &self.formats {
             let mut layer = format.layer(semantic, self.vertex_count);
@@ -358,7 +358,7 @@ impl<'a> AssemblyPlan<'a> {
     /// Appends triangles and their groups; returns the block of each group.
     fn triangles_into(
         &self,
-        document: &Document<'_>,
+        document: &GltfDocument<'_>,
         grouping: Grouping,
         mesh: &mut IndexedMesh,
     ) -> Result<Vec<usize>, Fault> {

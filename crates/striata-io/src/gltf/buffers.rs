@@ -5,7 +5,7 @@ use std::fs::File;
 use std::io;
 use std::ops::Deref;
 
-use super::compression::{self, Compression};
+use super::compression::{self, GeometryCompression};
 use super::json::JsonNode;
 use super::uri;
 use crate::Source;
@@ -45,7 +45,7 @@ impl<B: Deref<Target = [u8]> + From<Vec<u8>>> Buffers<B> {
             let length = at.required_unsigned("byteLength")?;
             // Nothing is read from buffers for readers that cannot decompress.
             let is_fallback = compression::meshopt(at).is_some_and(|at| at.flag("fallback"));
-            let uri = if is_fallback && Compression::Meshopt.is_on() { "" } else { at.text("uri") };
+            let uri = if is_fallback && GeometryCompression::Meshopt.is_on() { "" } else { at.text("uri") };
             if uri.is_empty() {
                 buffers.entries.push(if index == 0 { BufferPlace::Chunk } else { BufferPlace::Nowhere });
                 continue;

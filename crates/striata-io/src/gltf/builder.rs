@@ -8,7 +8,7 @@ pub(super) const TRIANGLE_STRIP: u32 = 5;
 
 /// Parts of the document written so far.
 #[derive(Default)]
-pub(super) struct Builder {
+pub(super) struct GltfBuilder {
     pub binary: Vec<u8>,
     pub views: Vec<Value>,
     pub accessors: Vec<Value>,
@@ -39,7 +39,7 @@ fn put(entries: &mut Vec<Value>, free: &mut Vec<usize>, entry: Value) -> usize {
     }
 }
 
-impl Builder {
+impl GltfBuilder {
     /// Continues a document, whose entries that are `null` are used first.
     pub(super) fn continuing(binary: Vec<u8>, views: Vec<Value>, accessors: Vec<Value>) -> Self {
         let (free_views, free_accessors) = (free_slots(&views), free_slots(&accessors));

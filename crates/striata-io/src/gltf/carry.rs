@@ -12,7 +12,7 @@ use serde_json::{Map, Value, json};
 
 use super::accessor::{Sparse, accessor};
 use super::compression;
-use super::document::Document;
+use super::document::GltfDocument;
 use super::json::JsonNode;
 use super::references::{Referent, Use, entries, for_each_carried, has_triangles, of_primitive};
 use crate::error::Fault;
@@ -25,7 +25,7 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 ///
 /// `is_geometry` tells for each mesh whether its triangle primitives are left out.
 pub(super) fn carry(
-    document: &Document<'_>,
+    document: &GltfDocument<'_>,
     root: &mut Map<String, Value>,
     is_geometry: &[bool],
     keeps_numbers: bool,
@@ -75,7 +75,7 @@ struct SharedView {
     known: HashMap<u64, (usize, Range<usize>)>,
 }
 
-fn renumbered(document: &Document<'_>, root: &mut Value, is_geometry: &[bool]) -> Result<Carried, Fault> {
+fn renumbered(document: &GltfDocument<'_>, root: &mut Value, is_geometry: &[bool]) -> Result<Carried, Fault> {
     let mut carried = Carried::default();
     let mut number_of: BTreeMap<(u64, Use), usize> = BTreeMap::new();
     let mut shared: BTreeMap<Use, SharedView> = BTreeMap::new();
@@ -107,7 +107,7 @@ impl Carried {
     /// use.
     fn copy(
         &mut self,
-        document: &Document<'_>,
+        document: &GltfDocument<'_>,
         index: u64,
         usage: Use,
         shared: &mut BTreeMap<Use, SharedView>,
@@ -207,7 +207,7 @@ fn is_equal_but_for_place(stored: &Value, other: &Value) -> bool {
 }
 
 fn with_same_numbers(
-    document: &Document<'_>,
+    document: &GltfDocument<'_>,
     root: &mut Value,
     is_geometry: &[bool],
 ) -> Result<Carried, Fault> {
@@ -255,7 +255,7 @@ fn with_same_numbers(
 
 /// Returns the accessors that triangle primitives refer to, whose data become meshes, and the buffer views
 /// of their compressed data.
-fn triangle_accessors(document: &Document<'_>, is_geometry: &[bool]) -> BTreeSet<u64> {
+fn triangle_accessors(document: &GltfDocument<'_>, is_geometry: &[bool]) -> BTreeSet<u64> {
     let mut root = document.root.value.clone();
     let mut found = BTreeSet::new();
     for (mesh, &is_geometry) in entries(&mut root, "meshes").zip(is_geometry) {

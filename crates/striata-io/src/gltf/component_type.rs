@@ -2,7 +2,7 @@
 
 /// Component types, with the numbers that glTF inherits from OpenGL.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum ComponentType {
+pub(super) enum GltfComponentType {
     I8,
     U8,
     I16,
@@ -11,7 +11,7 @@ pub(super) enum ComponentType {
     F32,
 }
 
-impl ComponentType {
+impl GltfComponentType {
     pub(super) fn from_number(number: u64) -> Option<Self> {
         Some(match number {
             5120 => Self::I8,

@@ -7,7 +7,7 @@ use crate::error::Fault;
 
 /// Compression of geometry in glTF files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Compression {
+pub(super) enum GeometryCompression {
     /// Buffer views by `EXT_meshopt_compression` or `KHR_meshopt_compression`.
     Meshopt,
     /// Primitives by `KHR_draco_mesh_compression`.
@@ -17,7 +17,7 @@ pub(super) enum Compression {
 const MESHOPT: [&str; 2] = ["KHR_meshopt_compression", "EXT_meshopt_compression"];
 const DRACO: &str = "KHR_draco_mesh_compression";
 
-impl Compression {
+impl GeometryCompression {
     /// Returns the compression that an extension defines.
     pub(super) fn of_extension(name: &str) -> Option<Self> {
         if MESHOPT.contains(&name) { Some(Self::Meshopt) } else { (name == DRACO).then_some(Self::Draco) }

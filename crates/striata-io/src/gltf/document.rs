@@ -5,7 +5,7 @@ use std::ops::Deref;
 use serde_json::Value;
 
 use super::buffers::Buffers;
-use super::compression::{self, Compression};
+use super::compression::{self, GeometryCompression};
 use super::extensions;
 use super::json::JsonNode;
 use super::meshopt;
@@ -21,7 +21,7 @@ const JSON_BYTES: u64 = 1 << 20;
 const MAX_ELEMENTS: u64 = u32::MAX as u64 / 4;
 
 /// Parsed document with its buffers.
-pub(crate) struct Document<'a> {
+pub(crate) struct GltfDocument<'a> {
     pub root: JsonNode<'a>,
     /// Bytes of each buffer; empty for placeholders.
     buffers: Vec<&'a [u8]>,
@@ -45,7 +45,7 @@ pub(crate) fn check_requirements(root: &JsonNode<'_>) -> Result<(), Fault> {
     }
     for extension in root.entries("extensionsRequired")? {
         let name = extension.value.as_str().unwrap_or("");
-        match Compression::of_extension(name) {
+        match GeometryCompression::of_extension(name) {
             Some(compression) if compression.is_on() => {}
             Some(compression) => return Err(compression.feature_off()),
             None if extensions::is_known(name) => {}
@@ -55,7 +55,7 @@ pub(crate) fn check_requirements(root: &JsonNode<'_>) -> Result<(), Fault> {
     Ok(())
 }
 
-impl<'a> Document<'a> {
+impl<'a> GltfDocument<'a> {
     /// Joins a document, which takes `json_bytes` as text, with its buffers; `chunk` is the binary chunk of a
     /// GLB.
     pub(crate) fn new<B: Deref<Target = [u8]> + From<Vec<u8>>>(
@@ -110,7 +110,7 @@ impl<'a> Document<'a> {
 
     /// Returns the extension object of a view that must be decompressed.
     pub(super) fn packed(&self, at: &JsonNode<'a>) -> Option<JsonNode<'a>> {
-        compression::meshopt(at).filter(|_| Compression::Meshopt.is_on() || self.lacks_bytes(at))
+        compression::meshopt(at).filter(|_| GeometryCompression::Meshopt.is_on() || self.lacks_bytes(at))
     }
 
     /// Whether the buffer of a view is only a placeholder.

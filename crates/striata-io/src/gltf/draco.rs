@@ -3,8 +3,8 @@
 use striata::mesh::Semantic;
 
 use super::accessor::Accessor;
-use super::compression::{self, Compression};
-use super::document::Document;
+use super::compression::{self, GeometryCompression};
+use super::document::GltfDocument;
 use super::draco_mesh::{self, DracoMesh};
 use super::json::JsonNode;
 use super::semantics::semantic;
@@ -26,15 +26,15 @@ pub(crate) struct DracoLink<'a> {
 impl<'a> DracoLink<'a> {
     /// Reads the extension of a primitive; [`None`] if its accessors have plain data that must do.
     pub(super) fn parse(
-        document: &Document<'_>,
+        document: &GltfDocument<'_>,
         primitive: &JsonNode<'a>,
         position: u64,
     ) -> Result<Option<Self>, Fault> {
         let Some(at) = compression::draco(primitive) else { return Ok(None) };
-        if !Compression::Draco.is_on() {
+        if !GeometryCompression::Draco.is_on() {
             let positions = document.item("accessors", position, primitive)?;
             let is_plain = positions.get("bufferView").is_some();
-            return if is_plain { Ok(None) } else { Err(Compression::Draco.feature_off()) };
+            return if is_plain { Ok(None) } else { Err(GeometryCompression::Draco.feature_off()) };
         }
         let view = at.required_unsigned("bufferView")?;
         let mut ids = Ids::new();
@@ -55,7 +55,7 @@ impl<'a> DracoLink<'a> {
     }
 
     /// Returns the decoded indices.
-    pub(super) fn indices<'d>(&self, document: &'d Document<'_>) -> Result<Accessor<'d>, Fault> {
+    pub(super) fn indices<'d>(&self, document: &'d GltfDocument<'_>) -> Result<Accessor<'d>, Fault> {
         Ok(self.mesh(document)?.indices(&self.at.path))
     }
 
@@ -63,7 +63,7 @@ impl<'a> DracoLink<'a> {
     /// attribute is not part of the compressed mesh.
     pub(super) fn attribute<'d>(
         &self,
-        document: &'d Document<'_>,
+        document: &'d GltfDocument<'_>,
         semantic: Option<&Semantic>,
         index: u64,
     ) -> Result<Option<Accessor<'d>>, Fault> {
@@ -80,7 +80,7 @@ impl<'a> DracoLink<'a> {
         Ok(Some(accessor))
     }
 
-    fn mesh<'d>(&self, document: &'d Document<'_>) -> Result<&'d DracoMesh, Fault> {
+    fn mesh<'d>(&self, document: &'d GltfDocument<'_>) -> Result<&'d DracoMesh, Fault> {
         let (source, _) = document.view(self.view, &self.at)?;
         document.unpacked.draco_mesh(self.view, || draco_mesh::decoded(document, source, &self.at))
     }

@@ -6,8 +6,8 @@
 use std::collections::BTreeMap;
 
 use super::accessor::Accessor;
-use super::component_type::ComponentType;
-use super::document::Document;
+use super::component_type::GltfComponentType;
+use super::document::GltfDocument;
 use super::json::JsonNode;
 use crate::error::Fault;
 
@@ -25,7 +25,7 @@ pub(crate) struct DracoMesh {
 /// Attribute of every point.
 #[derive(Debug)]
 struct DracoAttribute {
-    component: ComponentType,
+    component: GltfComponentType,
     component_count: usize,
     bytes: Vec<u8>,
 }
@@ -39,7 +39,7 @@ impl DracoMesh {
 
     /// Returns the indices of all triangles.
     pub(super) fn indices(&self, path: &str) -> Accessor<'_> {
-        Accessor::packed(self.index_count, [1, 4], ComponentType::U32, &self.indices, path)
+        Accessor::packed(self.index_count, [1, 4], GltfComponentType::U32, &self.indices, path)
     }
 
     /// Returns an attribute, if there is one of this identifier.
@@ -52,13 +52,17 @@ impl DracoMesh {
 
 /// Decodes a mesh; `at` is the value that refers to it.
 #[cfg(not(feature = "draco"))]
-pub(super) fn decoded(_: &Document<'_>, _: &[u8], _: &JsonNode<'_>) -> Result<DracoMesh, Fault> {
-    Err(super::compression::Compression::Draco.feature_off())
+pub(super) fn decoded(_: &GltfDocument<'_>, _: &[u8], _: &JsonNode<'_>) -> Result<DracoMesh, Fault> {
+    Err(super::compression::GeometryCompression::Draco.feature_off())
 }
 
 /// Decodes a mesh; `at` is the value that refers to it.
 #[cfg(feature = "draco")]
-pub(super) fn decoded(document: &Document<'_>, source: &[u8], at: &JsonNode<'_>) -> Result<DracoMesh, Fault> {
+pub(super) fn decoded(
+    document: &GltfDocument<'_>,
+    source: &[u8],
+    at: &JsonNode<'_>,
+) -> Result<DracoMesh, Fault> {
     let damaged = |reason: String| at.fault(format!("the compressed data are damaged: {reason}"));
     let bytes_left = document.unpacked.bytes_left(document.input_bytes);
     let mesh = decode(source, bytes_left).map_err(damaged)?;
@@ -101,16 +105,16 @@ pub(super) fn decode(source: &[u8], bytes_left: u64) -> Result<draco_core::Mesh,
 }
 
 #[cfg(feature = "draco")]
-fn component_type(data_type: draco_core::DataType) -> Option<ComponentType> {
+fn component_type(data_type: draco_core::DataType) -> Option<GltfComponentType> {
     use draco_core::DataType;
 
     Some(match data_type {
-        DataType::Int8 => ComponentType::I8,
-        DataType::Uint8 | DataType::Bool => ComponentType::U8,
-        DataType::Int16 => ComponentType::I16,
-        DataType::Uint16 => ComponentType::U16,
-        DataType::Uint32 => ComponentType::U32,
-        DataType::Float32 => ComponentType::F32,
+        DataType::Int8 => GltfComponentType::I8,
+        DataType::Uint8 | DataType::Bool => GltfComponentType::U8,
+        DataType::Int16 => GltfComponentType::I16,
+        DataType::Uint16 => GltfComponentType::U16,
+        DataType::Uint32 => GltfComponentType::U32,
+        DataType::Float32 => GltfComponentType::F32,
         _ => return None,
     })
 }

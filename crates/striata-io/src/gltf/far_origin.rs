@@ -7,7 +7,7 @@
 use serde_json::Value;
 use striata::mesh::origin_of;
 
-use super::document::Document;
+use super::document::GltfDocument;
 use super::primitive::Primitive;
 use super::transform::Transform;
 
@@ -16,7 +16,7 @@ const FAR: f64 = 16.0;
 
 /// Returns the corners of the bounds that a primitive declares, where a node places them.
 pub(crate) fn placed_corners(
-    document: &Document<'_>,
+    document: &GltfDocument<'_>,
     primitive: &Primitive<'_>,
     transform: Option<&Transform>,
 ) -> Vec<[f64; 3]> {

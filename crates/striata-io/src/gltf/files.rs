@@ -14,7 +14,7 @@ use crate::report::Warnings;
 use crate::{Format, WriteOptions};
 
 /// Destination of the binary data and images of a document.
-pub(crate) enum Container<'f, 'm> {
+pub(crate) enum GltfContainer<'f, 'm> {
     /// Into the file, which is GLB.
     Glb,
     /// Into the file, as text.
@@ -23,7 +23,7 @@ pub(crate) enum Container<'f, 'm> {
     Files { images: &'f mut ImageFiles<'m>, warnings: &'f mut Warnings, output: &'f Path },
 }
 
-impl<'f, 'm> Container<'f, 'm> {
+impl<'f, 'm> GltfContainer<'f, 'm> {
     /// Creates the container of a file; only one with a path can have others next to it.
     pub(crate) fn new(
         format: Format,

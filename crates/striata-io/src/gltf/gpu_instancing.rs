@@ -7,7 +7,7 @@
 use glam::{DMat4, DQuat, DVec3};
 
 use super::accessor::{Accessor, accessor};
-use super::document::Document;
+use super::document::GltfDocument;
 use super::json::JsonNode;
 use crate::error::Fault;
 
@@ -53,7 +53,7 @@ impl GpuInstances {
     /// its own.
     pub(super) fn of_node(
         &mut self,
-        document: &Document<'_>,
+        document: &GltfDocument<'_>,
         node: &JsonNode<'_>,
     ) -> Result<Vec<Option<DMat4>>, Fault> {
         let Some(at) = attributes(node).filter(|_| is_instanced(node)) else { return Ok(vec![None]) };
@@ -82,7 +82,7 @@ impl GpuInstances {
     }
 
     /// Accounts for instances that are about to be read.
-    fn claim(&mut self, count: u64, document: &Document<'_>, at: &JsonNode<'_>) -> Result<(), Fault> {
+    fn claim(&mut self, count: u64, document: &GltfDocument<'_>, at: &JsonNode<'_>) -> Result<(), Fault> {
         self.count = self.count.saturating_add(count);
         let limit = ALWAYS_ALLOWED.max(document.input_bytes / self.bytes_per_instance);
         if self.count > limit {

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 
 use striata::mesh::{AttributeLayer, LayerData, Semantic};
 
-use super::accessor::{Accessor, Shape};
-use super::component_type::ComponentType;
+use super::accessor::{Accessor, AccessorShape};
+use super::component_type::GltfComponentType;
 use super::primitive::Primitive;
 use super::transform::{Transform, transform_values};
 use crate::error::Fault;
@@ -31,7 +31,7 @@ pub(crate) struct LayerFormat {
 
 impl LayerFormat {
     /// Returns the format that keeps an accessor's numbers unchanged, or floats if a layer cannot.
-    fn of(semantic: &Semantic, accessor: &Shape) -> Result<Self, Fault> {
+    fn of(semantic: &Semantic, accessor: &AccessorShape) -> Result<Self, Fault> {
         let count = accessor.component_count;
         let fits = match semantic {
             Semantic::Normal
@@ -47,12 +47,12 @@ impl LayerFormat {
             return Err(accessor.fault(format!("{count} components cannot be a {semantic}")));
         }
         let kind = match accessor.component {
-            ComponentType::U8 => AccessorKind::U8,
-            ComponentType::U16 => AccessorKind::U16,
-            ComponentType::U32 => AccessorKind::U32,
-            ComponentType::I8 => AccessorKind::I8,
-            ComponentType::I16 => AccessorKind::I16,
-            ComponentType::F32 => AccessorKind::F32,
+            GltfComponentType::U8 => AccessorKind::U8,
+            GltfComponentType::U16 => AccessorKind::U16,
+            GltfComponentType::U32 => AccessorKind::U32,
+            GltfComponentType::I8 => AccessorKind::I8,
+            GltfComponentType::I16 => AccessorKind::I16,
+            GltfComponentType::F32 => AccessorKind::F32,
         };
         let keeps_integers = match semantic {
             Semantic::TexCoord(_) | Semantic::Color(_) | Semantic::Weights(_) => {
@@ -122,7 +122,7 @@ pub(crate) type LayerFormats = BTreeMap<Semantic, LayerFormat>;
 pub(crate) fn add_vertices(
     primitive: &Primitive<'_>,
     formats: &mut LayerFormats,
-    shape_of: impl Fn(Option<&Semantic>, u64) -> Result<Shape, Fault>,
+    shape_of: impl Fn(Option<&Semantic>, u64) -> Result<AccessorShape, Fault>,
 ) -> Result<usize, Fault> {
     let positions = shape_of(None, primitive.position)?;
     if positions.component_count != 3 {
@@ -145,16 +145,16 @@ pub(crate) fn append(layer: &mut AttributeLayer, accessor: &Accessor<'_>, transf
     let width = layer.component_count as usize;
     let is_full_width = accessor.component_count == width;
     match (&mut layer.data, accessor.component) {
-        (LayerData::U8(data), ComponentType::U8) if is_full_width => {
+        (LayerData::U8(data), GltfComponentType::U8) if is_full_width => {
             data.extend(accessor.read::<1, _>(|[b]| b));
         }
-        (LayerData::U16(data), ComponentType::U16) if is_full_width => {
+        (LayerData::U16(data), GltfComponentType::U16) if is_full_width => {
             data.extend(accessor.read::<2, _>(u16::from_le_bytes));
         }
-        (LayerData::I8(data), ComponentType::I8) if is_full_width => {
+        (LayerData::I8(data), GltfComponentType::I8) if is_full_width => {
             data.extend(accessor.read::<1, _>(i8::from_le_bytes));
         }
-        (LayerData::I16(data), ComponentType::I16) if is_full_width => {
+        (LayerData::I16(data), GltfComponentType::I16) if is_full_width => {
             data.extend(accessor.read::<2, _>(i16::from_le_bytes));
         }
         (LayerData::F32(data), _) => {

@@ -6,8 +6,8 @@
 //! The decoder checks counts against the compressed bytes before it allocates: even the most compact
 //! stream of version 1 takes a byte per kilobyte of vertices.
 
-use super::compression::Compression;
-use super::document::Document;
+use super::compression::GeometryCompression;
+use super::document::GltfDocument;
 use super::json::JsonNode;
 use super::uri::shortened;
 use crate::error::Fault;
@@ -40,12 +40,12 @@ struct ViewLayout {
 
 /// Decompresses the buffer view `view`, whose extension object is `at`.
 pub(super) fn decompressed(
-    document: &Document<'_>,
+    document: &GltfDocument<'_>,
     view: &JsonNode<'_>,
     at: &JsonNode<'_>,
 ) -> Result<Vec<u8>, Fault> {
-    if !Compression::Meshopt.is_on() {
-        return Err(Compression::Meshopt.feature_off());
+    if !GeometryCompression::Meshopt.is_on() {
+        return Err(GeometryCompression::Meshopt.feature_off());
     }
     let layout = layout(at)?;
     let bytes = (layout.count as u64).saturating_mul(layout.stride as u64);

@@ -79,7 +79,7 @@ pub(crate) mod parts {
     pub(crate) use super::appearance::appearance;
     pub(crate) use super::buffers::Buffers;
     pub(crate) use super::container::chunk_ranges;
-    pub(crate) use super::document::{Document, check_requirements};
+    pub(crate) use super::document::{GltfDocument, check_requirements};
     pub(crate) use super::draco::{DracoKey, DracoLink};
     pub(crate) use super::far_origin::{origin_of_corners, placed_corners};
     pub(crate) use super::json::{JsonNode, parse};
@@ -95,7 +95,7 @@ pub(crate) mod parts {
 
 pub(crate) use extensions::are_all_known;
 pub use extensions::{ExtensionUse, extension_use, known_extensions};
-pub(crate) use files::Container;
+pub(crate) use files::GltfContainer;
 pub(crate) use importance::usable as usable_importance;
 pub(crate) use references::{entries, has_triangles};
 pub(crate) use semantics::target_of;
@@ -110,7 +110,7 @@ use crate::error::Fault;
 use crate::report::Warnings;
 use crate::{Format, MeshData, Scene, Source};
 use buffers::Buffers;
-use document::{Document, check_requirements};
+use document::{GltfDocument, check_requirements};
 use shapes::{check_triangles, left_out};
 
 /// Reads a mesh from the bytes of a glTF or GLB file.
@@ -148,7 +148,7 @@ pub(crate) fn numbers_of(
     buffer: &[u8],
     accessor: u64,
 ) -> Result<(Vec<f32>, usize), Fault> {
-    let document = Document::over(document, buffer)?;
+    let document = GltfDocument::over(document, buffer)?;
     let found = accessor::accessor(&document, accessor, &document.root)?;
     Ok((found.floats(), found.component_count))
 }
@@ -177,7 +177,7 @@ fn with_document<T>(
     format: Format,
     source: &Source<'_>,
     warnings: &mut Warnings,
-    read: impl FnOnce(&Document<'_>, &mut Warnings) -> Result<T, Fault>,
+    read: impl FnOnce(&GltfDocument<'_>, &mut Warnings) -> Result<T, Fault>,
 ) -> Result<T, Fault> {
     let (json, chunk) = match format {
         Format::Glb => container::chunks(bytes, warnings)?,
@@ -187,7 +187,7 @@ fn with_document<T>(
     let at = json::JsonNode { value: &root, path: String::new() };
     check_requirements(&at)?;
     let buffers = Buffers::load(&at, source, read_whole)?;
-    let document = Document::new((&root, json.len()), (&buffers, chunk), *source)?;
+    let document = GltfDocument::new((&root, json.len()), (&buffers, chunk), *source)?;
     read(&document, warnings)
 }
 

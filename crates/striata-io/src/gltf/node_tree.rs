@@ -2,7 +2,7 @@
 
 use glam::{DMat4, DVec3};
 
-use super::document::Document;
+use super::document::GltfDocument;
 use super::gpu_instancing::{GpuInstances, unit};
 use super::importance;
 use super::json::JsonNode;
@@ -27,7 +27,7 @@ pub(crate) struct Instance<'a> {
 /// Instances of `EXT_mesh_gpu_instancing` are limited to one for `bytes_per_instance` bytes of the document and its
 /// buffers, unless there are few.
 pub(crate) fn visit_instances<'a>(
-    document: &Document<'a>,
+    document: &GltfDocument<'a>,
     bytes_per_instance: u64,
     visit: &mut dyn FnMut(Instance<'a>) -> Result<(), Fault>,
 ) -> Result<(), Fault> {

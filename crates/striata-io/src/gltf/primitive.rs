@@ -3,7 +3,7 @@
 use striata::mesh::Semantic;
 
 use super::accessor::{Accessor, accessor};
-use super::document::Document;
+use super::document::GltfDocument;
 use super::draco::DracoLink;
 use super::json::JsonNode;
 use super::semantics::{semantic, semantic_in_target};
@@ -11,7 +11,7 @@ use crate::error::{Fault, Place};
 
 /// Rule by which indices become triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Topology {
+pub(super) enum PrimitiveTopology {
     List,
     Strip,
     Fan,
@@ -27,17 +27,17 @@ pub(crate) struct Primitive<'a> {
     /// Compressed mesh that contains the indices and some attributes.
     pub draco: Option<DracoLink<'a>>,
     pub(super) indices: Option<u64>,
-    pub(super) topology: Topology,
+    pub(super) topology: PrimitiveTopology,
 }
 
 impl<'a> Primitive<'a> {
     /// Reads a primitive; [`None`] if it draws points or lines.
-    pub(crate) fn parse(document: &Document<'_>, at: JsonNode<'a>) -> Result<Option<Self>, Fault> {
+    pub(crate) fn parse(document: &GltfDocument<'_>, at: JsonNode<'a>) -> Result<Option<Self>, Fault> {
         let topology = match at.unsigned("mode")?.unwrap_or(4) {
             0..=3 => return Ok(None),
-            4 => Topology::List,
-            5 => Topology::Strip,
-            6 => Topology::Fan,
+            4 => PrimitiveTopology::List,
+            5 => PrimitiveTopology::Strip,
+            6 => PrimitiveTopology::Fan,
             mode => return Err(at.fault(format!("no primitive mode is numbered {mode}"))),
         };
         let mut position = None;
@@ -71,19 +71,19 @@ impl<'a> Primitive<'a> {
         let indices = at.unsigned("indices")?;
         let draco = DracoLink::parse(document, &at, position)?;
         // Compressed meshes consist of single triangles, even if the primitive is called a strip.
-        let topology = if draco.is_some() { Topology::List } else { topology };
+        let topology = if draco.is_some() { PrimitiveTopology::List } else { topology };
         Ok(Some(Self { at, position, attributes, material, draco, indices, topology }))
     }
 
     /// Returns the positions, decompressed if necessary.
-    pub(crate) fn positions<'d>(&self, document: &'d Document<'_>) -> Result<Accessor<'d>, Fault> {
+    pub(crate) fn positions<'d>(&self, document: &'d GltfDocument<'_>) -> Result<Accessor<'d>, Fault> {
         self.data(document, None, self.position)
     }
 
     /// Returns an attribute, decompressed if necessary.
     pub(crate) fn attribute<'d>(
         &self,
-        document: &'d Document<'_>,
+        document: &'d GltfDocument<'_>,
         (semantic, index): (&Semantic, u64),
     ) -> Result<Accessor<'d>, Fault> {
         self.data(document, Some(semantic), index)
@@ -92,7 +92,7 @@ impl<'a> Primitive<'a> {
     /// Returns the positions ([`None`]) or another attribute, decompressed if necessary.
     pub(super) fn data<'d>(
         &self,
-        document: &'d Document<'_>,
+        document: &'d GltfDocument<'_>,
         semantic: Option<&Semantic>,
         index: u64,
     ) -> Result<Accessor<'d>, Fault> {
@@ -106,7 +106,7 @@ impl<'a> Primitive<'a> {
     /// Returns the indices, decompressed if necessary; [`None`] if the vertices are drawn in their order.
     pub(super) fn index_accessor<'d>(
         &self,
-        document: &'d Document<'_>,
+        document: &'d GltfDocument<'_>,
     ) -> Result<Option<Accessor<'d>>, Fault> {
         match (&self.draco, self.indices) {
             (Some(draco), _) => draco.indices(document).map(Some),
@@ -117,15 +117,19 @@ impl<'a> Primitive<'a> {
 
     /// Whether it is a single fan; glTF needs a primitive for each fan.
     pub(crate) fn is_fan(&self) -> bool {
-        self.topology == Topology::Fan
+        self.topology == PrimitiveTopology::Fan
     }
 
     /// Returns an upper limit of the number of triangles that the primitive draws.
-    pub(super) fn triangle_limit(&self, document: &Document<'_>, vertex_count: usize) -> Result<u64, Fault> {
+    pub(super) fn triangle_limit(
+        &self,
+        document: &GltfDocument<'_>,
+        vertex_count: usize,
+    ) -> Result<u64, Fault> {
         let count = self.index_accessor(document)?.map_or(vertex_count, |indices| indices.count) as u64;
         Ok(match self.topology {
-            Topology::List => count / 3,
-            Topology::Strip | Topology::Fan => count.saturating_sub(2),
+            PrimitiveTopology::List => count / 3,
+            PrimitiveTopology::Strip | PrimitiveTopology::Fan => count.saturating_sub(2),
         })
     }
 
@@ -133,23 +137,23 @@ impl<'a> Primitive<'a> {
     /// strips are left out.
     pub(super) fn triangles_into(
         &self,
-        document: &Document<'_>,
+        document: &GltfDocument<'_>,
         (first_vertex, vertex_count): (u32, usize),
         triangles: &mut Vec<[u32; 3]>,
     ) -> Result<(), Fault> {
         let indices = self.indices(document, vertex_count)?;
         match self.topology {
-            Topology::List => {
+            PrimitiveTopology::List => {
                 let (chunks, _) = indices.as_chunks::<3>();
                 triangles.extend(chunks.iter().map(|t| t.map(|v| v + first_vertex)));
             }
-            Topology::Strip => {
+            PrimitiveTopology::Strip => {
                 for (i, w) in indices.windows(3).enumerate() {
                     let triangle = if i % 2 == 0 { [w[0], w[1], w[2]] } else { [w[1], w[0], w[2]] };
                     push_proper(triangle, first_vertex, triangles);
                 }
             }
-            Topology::Fan => {
+            PrimitiveTopology::Fan => {
                 for w in indices.get(1..).unwrap_or(&[]).windows(2) {
                     push_proper([indices[0], w[0], w[1]], first_vertex, triangles);
                 }
@@ -159,7 +163,11 @@ impl<'a> Primitive<'a> {
     }
 
     /// Returns the checked indices of all corners.
-    pub(super) fn indices(&self, document: &Document<'_>, vertex_count: usize) -> Result<Vec<u32>, Fault> {
+    pub(super) fn indices(
+        &self,
+        document: &GltfDocument<'_>,
+        vertex_count: usize,
+    ) -> Result<Vec<u32>, Fault> {
         let Some(accessor) = self.index_accessor(document)? else {
             return Ok((0..vertex_count as u32).collect());
         };

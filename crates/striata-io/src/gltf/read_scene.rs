@@ -7,7 +7,7 @@ use super::appearance::images;
 use super::assemble::mesh_of_primitives;
 use super::carry::carry;
 use super::compression;
-use super::document::Document;
+use super::document::GltfDocument;
 use super::extensions::are_all_carried;
 use super::importance;
 use super::json::JsonNode;
@@ -32,7 +32,7 @@ const STORAGE_EXTENSIONS: [&str; 5] = [
 ];
 
 /// Reads the scene of a document.
-pub(super) fn scene_of(document: &Document<'_>, warnings: &mut Warnings) -> Result<Scene, Fault> {
+pub(super) fn scene_of(document: &GltfDocument<'_>, warnings: &mut Warnings) -> Result<Scene, Fault> {
     let Value::Object(mut root) = document.root.value.clone() else {
         return Err(document.root.fault("the document is not an object"));
     };
@@ -72,7 +72,7 @@ pub(super) fn scene_of(document: &Document<'_>, warnings: &mut Warnings) -> Resu
 
 /// Returns the mesh of all triangle primitives of a glTF mesh; [`None`] if they show nothing.
 fn triangles_of(
-    document: &Document<'_>,
+    document: &GltfDocument<'_>,
     (mesh, numbers): (&JsonNode<'_>, Option<&str>),
     used_bytes: &mut u64,
     warnings: &mut Warnings,

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::accessor::accessor;
 use super::carry::carry;
-use super::document::Document;
+use super::document::GltfDocument;
 use super::extensions::are_all_carried;
 use super::references::entries;
 use crate::scene::{Scene, SceneError, SceneParts};
@@ -52,7 +52,7 @@ impl Scene {
         let SceneParts { mut document, mut buffer, images, meshes } = self.into_parts();
         let mut counts = [0, 0];
         let changes = {
-            let read = Document::over(&document, &buffer)?;
+            let read = GltfDocument::over(&document, &buffer)?;
             changed_samplers(&read, tolerance, &mut counts)?
         };
         if !changes.is_empty() {
@@ -67,7 +67,7 @@ impl Scene {
             }
             let is_geometry: Vec<bool> = meshes.iter().map(Option::is_some).collect();
             let mut root = document.as_object().cloned().unwrap_or_default();
-            buffer = carry(&Document::over(&document, &buffer)?, &mut root, &is_geometry, false)?;
+            buffer = carry(&GltfDocument::over(&document, &buffer)?, &mut root, &is_geometry, false)?;
             document = Value::Object(root);
         }
         let scene = Self::from_parts(SceneParts { document, buffer, images, meshes })?;
@@ -105,7 +105,7 @@ impl Samples {
 type Change = ([usize; 2], [Samples; 2]);
 
 fn changed_samplers(
-    document: &Document<'_>,
+    document: &GltfDocument<'_>,
     tolerance: f64,
     counts: &mut [usize; 2],
 ) -> Result<Vec<Change>, crate::error::Fault> {

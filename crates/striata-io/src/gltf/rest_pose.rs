@@ -11,7 +11,7 @@ use glam::DMat4;
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 
 use super::accessor::accessor;
-use super::document::Document;
+use super::document::GltfDocument;
 use super::json::JsonNode;
 use super::transform::{Transform, transform_values};
 use crate::error::Fault;
@@ -50,7 +50,7 @@ impl RestPoses {
     /// Returns the pose of a mesh that a node shows.
     pub(super) fn of_node(
         &mut self,
-        document: &Document<'_>,
+        document: &GltfDocument<'_>,
         node: &JsonNode<'_>,
         mesh: &JsonNode<'_>,
     ) -> Result<RestPose, Fault> {
@@ -64,7 +64,7 @@ impl RestPoses {
         Ok(RestPose { morph_weights: bits.collect(), skin })
     }
 
-    fn skin(&mut self, document: &Document<'_>, from: &JsonNode<'_>) -> Result<Arc<SkinPose>, Fault> {
+    fn skin(&mut self, document: &GltfDocument<'_>, from: &JsonNode<'_>) -> Result<Arc<SkinPose>, Fault> {
         let index = from.as_unsigned()?;
         if let Some(known) = self.skins.get(&index) {
             return Ok(Arc::clone(known));

@@ -2,13 +2,16 @@
 
 use serde_json::Value;
 
-use super::document::Document;
+use super::document::GltfDocument;
 use super::json::JsonNode;
 use crate::error::{Fault, Place};
-use crate::report::{Kind, Warnings, with_commas};
+use crate::report::{WarningKind, Warnings, with_commas};
 
 /// Calls `visit` with each primitive that draws points (mode 0) or lines.
-fn visit_shapes<'a>(document: &Document<'a>, mut visit: impl FnMut(&JsonNode<'a>, u64)) -> Result<(), Fault> {
+fn visit_shapes<'a>(
+    document: &GltfDocument<'a>,
+    mut visit: impl FnMut(&JsonNode<'a>, u64),
+) -> Result<(), Fault> {
     for mesh in document.root.entries("meshes")? {
         let primitives = mesh.values("primitives")?;
         let mode = |primitive: &Value| primitive.get("mode").and_then(Value::as_u64).unwrap_or(4);
@@ -26,7 +29,7 @@ fn visit_shapes<'a>(document: &Document<'a>, mut visit: impl FnMut(&JsonNode<'a>
 }
 
 /// Refuses a document that draws only points and lines.
-pub(crate) fn check_triangles(document: &Document<'_>, has_none: bool) -> Result<(), Fault> {
+pub(crate) fn check_triangles(document: &GltfDocument<'_>, has_none: bool) -> Result<(), Fault> {
     if !has_none {
         return Ok(());
     }
@@ -50,8 +53,8 @@ pub(crate) fn check_triangles(document: &Document<'_>, has_none: bool) -> Result
 }
 
 /// Counts the primitives that a mesh cannot have.
-pub(crate) fn left_out(document: &Document<'_>, warnings: &mut Warnings) -> Result<(), Fault> {
-    let kind = Kind("primitive left out", "primitives left out");
+pub(crate) fn left_out(document: &GltfDocument<'_>, warnings: &mut Warnings) -> Result<(), Fault> {
+    let kind = WarningKind("primitive left out", "primitives left out");
     visit_shapes(document, |primitive, mode| {
         let what = if mode == 0 { "points" } else { "lines" };
         let place = || Place::Json(primitive.path.clone());

@@ -3,7 +3,7 @@
 use glam::{DMat3, DMat4, DVec3};
 use serde_json::Value;
 
-use super::document::Document;
+use super::document::GltfDocument;
 use super::gpu_instancing::{BYTES_PER_INSTANCE, GpuInstances, is_instanced};
 use super::importance;
 use super::json::JsonNode;
@@ -59,7 +59,7 @@ pub(crate) fn shown_meshes(document: &Value, buffer: &[u8]) -> Result<Vec<SceneI
         if is_instanced(node) {
             let document = match &mut opened {
                 Some(opened) => opened,
-                none => none.insert(Document::over(document, buffer)?),
+                none => none.insert(GltfDocument::over(document, buffer)?),
             };
             found.extend(gpu_instances.of_node(document, node)?.into_iter().map(instance));
         } else {

@@ -8,8 +8,8 @@ use std::io::{self, Write};
 use serde_json::{Map, Value, json};
 use striata::mesh::IndexedMesh;
 
-use super::builder::{Builder, ELEMENT_ARRAY_BUFFER, TRIANGLE_STRIP};
-use super::component_type::ComponentType;
+use super::builder::{ELEMENT_ARRAY_BUFFER, GltfBuilder, TRIANGLE_STRIP};
+use super::component_type::GltfComponentType;
 use super::write_layers::attributes;
 use crate::error::Refusal;
 
@@ -27,7 +27,7 @@ pub(crate) struct VertexPieces {
 impl VertexPieces {
     /// Adds the next piece.
     pub(crate) fn add(&mut self, piece: &IndexedMesh) -> Result<(), Refusal> {
-        let mut builder = Builder::default();
+        let mut builder = GltfBuilder::default();
         let found = attributes(&mut builder, piece)?;
         if self.vertex_count == 0 {
             (self.attributes, self.targets) = (found.attributes, found.targets);
@@ -56,7 +56,7 @@ impl VertexPieces {
 
     /// Returns the bytes of a piece in one of the views.
     pub(crate) fn view_of(piece: &IndexedMesh, view: usize) -> Result<Vec<u8>, Refusal> {
-        let mut builder = Builder::default();
+        let mut builder = GltfBuilder::default();
         attributes(&mut builder, piece)?;
         let bytes = |key| builder.views.get(view).map_or(0, |view| number(view, key)) as usize;
         let (start, length) = (bytes("byteOffset"), bytes("byteLength"));
@@ -101,7 +101,7 @@ impl VertexPieces {
             at += number(view, "byteLength").next_multiple_of(4);
         }
         let (component, bytes) =
-            if self.has_short_indices() { (ComponentType::U16, 2) } else { (ComponentType::U32, 4) };
+            if self.has_short_indices() { (GltfComponentType::U16, 2) } else { (GltfComponentType::U32, 4) };
         let (mut views, mut accessors) = (self.views.clone(), self.accessors.clone());
         accessors.push(json!({
             "bufferView": views.len(),

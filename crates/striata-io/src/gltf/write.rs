@@ -8,12 +8,12 @@ use std::collections::BTreeSet;
 use serde_json::{Map, Value, json};
 use striata::mesh::{Appearance, Image, IndexedMesh, TriangleGroup};
 
-use super::builder::{Builder, ELEMENT_ARRAY_BUFFER, TRIANGLE_STRIP};
-use super::component_type::ComponentType;
-use super::files::Container;
+use super::builder::{ELEMENT_ARRAY_BUFFER, GltfBuilder, TRIANGLE_STRIP};
+use super::component_type::GltfComponentType;
+use super::files::GltfContainer;
 use super::passes::GltfParts;
 use super::shading::shaded;
-use super::write_layers::{Attributes, attributes};
+use super::write_layers::{SharedAttributes, attributes};
 use crate::WriteOptions;
 use crate::cache_order::in_cache_order;
 use crate::error::Refusal;
@@ -28,7 +28,7 @@ pub(super) const GEOREFERENCE: &str = "georeference";
 pub(crate) fn to_bytes(
     mesh: &IndexedMesh,
     options: &WriteOptions,
-    mut container: Container<'_, '_>,
+    mut container: GltfContainer<'_, '_>,
 ) -> Result<Vec<u8>, Refusal> {
     let image_uris = container.image_uris(&mesh.appearance.images);
     let mut parts = document(mesh, options, image_uris)?;
@@ -45,7 +45,7 @@ fn document(
     let mesh = if options.shading && !keeps_vertices { &*shaded(mesh) } else { mesh };
     // Shading divides vertices, so the order comes after it.
     let mesh = if options.has_cache_order() { &in_cache_order(mesh) } else { mesh };
-    let mut builder = Builder::default().with_image_uris(image_uris);
+    let mut builder = GltfBuilder::default().with_image_uris(image_uris);
     let mut root = Map::new();
     root.insert("asset".to_owned(), json!({ "version": "2.0", "generator": "striata" }));
     root.insert("scene".to_owned(), json!(0));
@@ -75,7 +75,7 @@ pub(crate) fn insert(root: &mut Map<String, Value>, key: &str, entries: Vec<Valu
     }
 }
 
-impl Builder {
+impl GltfBuilder {
     fn meshes(
         &mut self,
         mesh: &IndexedMesh,
@@ -124,12 +124,12 @@ impl Builder {
     ) -> Vec<Option<usize>> {
         // The largest 16-bit value is left for primitive restart.
         let component =
-            if vertex_count <= u16::MAX as usize { ComponentType::U16 } else { ComponentType::U32 };
+            if vertex_count <= u16::MAX as usize { GltfComponentType::U16 } else { GltfComponentType::U32 };
         let (mut bytes, mut accessors) = (Vec::new(), Vec::new());
         for list in lists {
             let offset = bytes.len();
             match component {
-                ComponentType::U16 => bytes.extend(list.iter().flat_map(|&v| (v as u16).to_le_bytes())),
+                GltfComponentType::U16 => bytes.extend(list.iter().flat_map(|&v| (v as u16).to_le_bytes())),
                 _ => bytes.extend_from_slice(bytemuck::cast_slice(list)),
             }
             let accessor = json!({
@@ -233,7 +233,7 @@ fn object(text: &str, what: &str, index: usize) -> Result<Value, Refusal> {
     }
 }
 
-fn primitive(attributes: &Attributes, indices: usize, mode: u32, material: Option<u32>) -> Value {
+fn primitive(attributes: &SharedAttributes, indices: usize, mode: u32, material: Option<u32>) -> Value {
     let mut primitive = json!({ "attributes": attributes.attributes, "indices": indices, "mode": mode });
     if !attributes.targets.is_empty() {
         primitive["targets"] = Value::Array(attributes.targets.clone());

@@ -10,14 +10,14 @@ use std::collections::BTreeMap;
 use serde_json::{Map, Value, json};
 use striata::mesh::{AttributeLayer, Bounds, IndexedMesh, LayerData, Semantic};
 
-use super::builder::Builder;
-use super::component_type::ComponentType;
+use super::builder::GltfBuilder;
+use super::component_type::GltfComponentType;
 use super::semantics::target_of;
 use crate::error::Refusal;
 use crate::normals::unit;
 
 /// Attributes and morph targets that all primitives share.
-pub(super) struct Attributes {
+pub(super) struct SharedAttributes {
     pub attributes: Map<String, Value>,
     pub targets: Vec<Value>,
     /// Accessor of each layer.
@@ -34,8 +34,8 @@ enum Encoded {
 }
 
 /// Adds all positions and layers of a mesh, and returns their accessors.
-pub(super) fn attributes(builder: &mut Builder, mesh: &IndexedMesh) -> Result<Attributes, Refusal> {
-    let mut out = Attributes { attributes: Map::new(), targets: Vec::new(), of_layer: BTreeMap::new() };
+pub(super) fn attributes(builder: &mut GltfBuilder, mesh: &IndexedMesh) -> Result<SharedAttributes, Refusal> {
+    let mut out = SharedAttributes { attributes: Map::new(), targets: Vec::new(), of_layer: BTreeMap::new() };
     let positions = mesh.positions.as_flattened();
     check_finite(positions, 3, "POSITION")?;
     out.attributes.insert("POSITION".to_owned(), push_points(builder, positions));
@@ -96,7 +96,7 @@ impl SparseData {
         }
         let count = places.len();
         let (index, index_bytes) =
-            if vectors.len() <= 0xffff { (ComponentType::U16, 2) } else { (ComponentType::U32, 4) };
+            if vectors.len() <= 0xffff { (GltfComponentType::U16, 2) } else { (GltfComponentType::U32, 4) };
         if count * (12 + index_bytes) + SPARSE_JSON_BYTES >= vectors.len() * 12 {
             return false;
         }
@@ -113,7 +113,7 @@ impl SparseData {
     }
 
     /// Adds the views, and completes the accessors.
-    fn store(&self, builder: &mut Builder) {
+    fn store(&self, builder: &mut GltfBuilder) {
         if self.accessors.is_empty() {
             return;
         }
@@ -129,7 +129,7 @@ impl SparseData {
 
 /// Fills in missing morph targets with zero displacements, because a target must not be empty.
 fn fill_targets(
-    (builder, sparse): (&mut Builder, &mut SparseData),
+    (builder, sparse): (&mut GltfBuilder, &mut SparseData),
     targets: &mut [Value],
     vertex_count: usize,
 ) {
@@ -174,7 +174,7 @@ fn own_name(layer: &AttributeLayer) -> String {
 
 /// Adds a layer under its glTF name, or under its own.
 fn push_layer(
-    builder: &mut Builder,
+    builder: &mut GltfBuilder,
     mesh: &IndexedMesh,
     layer: &AttributeLayer,
 ) -> Result<(String, Value), Refusal> {
@@ -215,7 +215,7 @@ pub(crate) fn is_unstorable(mesh: &IndexedMesh, layer: &AttributeLayer) -> bool 
     is_wide && !has_type && (0..layer.data.len()).any(is_rounded)
 }
 
-fn push_generic(builder: &mut Builder, layer: &AttributeLayer) -> Result<(String, Value), Refusal> {
+fn push_generic(builder: &mut GltfBuilder, layer: &AttributeLayer) -> Result<(String, Value), Refusal> {
     let name = own_name(layer);
     let width = layer.component_count as usize;
     if !matches!(width, 1..=4 | 9 | 16) || (width > 4 && layer.data.component_bytes() < 4) {
@@ -306,7 +306,7 @@ fn make_unit(vector: &mut [f32; 3]) {
 }
 
 /// Adds points, with the bounds that glTF requires.
-fn push_points(builder: &mut Builder, numbers: &[f32]) -> Value {
+fn push_points(builder: &mut GltfBuilder, numbers: &[f32]) -> Value {
     let mut accessor = accessor_of_points(numbers, true);
     accessor["bufferView"] = json!(builder.push_vertex_data(bytemuck::cast_slice(numbers), 12));
     json!(builder.push_accessor(accessor))
@@ -314,7 +314,7 @@ fn push_points(builder: &mut Builder, numbers: &[f32]) -> Value {
 
 /// Adds the displacements of a morph target: only those that are not zero if that takes fewer bytes.
 fn push_displacements(
-    builder: &mut Builder,
+    builder: &mut GltfBuilder,
     sparse: &mut SparseData,
     numbers: &[f32],
     has_bounds: bool,
@@ -333,7 +333,7 @@ fn push_displacements(
 fn accessor_of_points(numbers: &[f32], has_bounds: bool) -> Value {
     let (points, _) = numbers.as_chunks::<3>();
     let mut accessor = json!({
-        "componentType": ComponentType::F32.number(),
+        "componentType": GltfComponentType::F32.number(),
         "count": points.len(),
         "type": "VEC3",
     });
@@ -345,13 +345,13 @@ fn accessor_of_points(numbers: &[f32], has_bounds: bool) -> Value {
     accessor
 }
 
-fn push(builder: &mut Builder, encoded: &Encoded, width: usize, normalized: bool) -> Value {
+fn push(builder: &mut GltfBuilder, encoded: &Encoded, width: usize, normalized: bool) -> Value {
     let (bytes, component): (&[u8], _) = match encoded {
-        Encoded::Floats(numbers) => (bytemuck::cast_slice(numbers), ComponentType::F32),
-        Encoded::Bytes(numbers) => (numbers, ComponentType::U8),
-        Encoded::Words(numbers) => (bytemuck::cast_slice(numbers), ComponentType::U16),
-        Encoded::SignedBytes(numbers) => (bytemuck::cast_slice(numbers), ComponentType::I8),
-        Encoded::SignedWords(numbers) => (bytemuck::cast_slice(numbers), ComponentType::I16),
+        Encoded::Floats(numbers) => (bytemuck::cast_slice(numbers), GltfComponentType::F32),
+        Encoded::Bytes(numbers) => (numbers, GltfComponentType::U8),
+        Encoded::Words(numbers) => (bytemuck::cast_slice(numbers), GltfComponentType::U16),
+        Encoded::SignedBytes(numbers) => (bytemuck::cast_slice(numbers), GltfComponentType::I8),
+        Encoded::SignedWords(numbers) => (bytemuck::cast_slice(numbers), GltfComponentType::I16),
     };
     let element_bytes = width * component.bytes();
     // Vertex data must be aligned to 4 bytes.

@@ -12,14 +12,14 @@ use serde_json::{Map, Value, json};
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 use striata::strip::cache_order;
 
-use super::builder::Builder;
-use super::files::Container;
+use super::builder::GltfBuilder;
+use super::files::GltfContainer;
 use super::passes::GltfParts;
 use super::references::{entries, has_triangles};
 use super::semantics::{semantic, semantic_in_target};
 use super::vertex_pools::{Pool, pools};
 use super::write::insert;
-use super::write_layers::{Attributes, attributes};
+use super::write_layers::{SharedAttributes, attributes};
 use crate::cache_order::with_triangles_in_cache_order;
 use crate::error::Refusal;
 use crate::{SceneWriter, WriteOptions};
@@ -28,7 +28,7 @@ use crate::{SceneWriter, WriteOptions};
 pub(crate) fn scene_to_bytes(
     writer: &SceneWriter<'_>,
     options: &WriteOptions,
-    mut container: Container<'_, '_>,
+    mut container: GltfContainer<'_, '_>,
 ) -> Result<Vec<u8>, Refusal> {
     let image_uris = container.image_uris(writer.scene.images());
     let mut parts = document(writer, options, image_uris)?;
@@ -51,7 +51,7 @@ fn document(
         _ => Vec::new(),
     };
     let (views, accessors) = (take("bufferViews"), take("accessors"));
-    let builder = Builder::continuing(scene.buffer().to_vec(), views, accessors);
+    let builder = GltfBuilder::continuing(scene.buffer().to_vec(), views, accessors);
     let mut builder = builder.with_image_uris(image_uris);
     put_meshes(&mut builder, &mut root, writer, options.has_cache_order())?;
     for (entry, image) in entries(&mut root, "images").zip(scene.images().iter().enumerate()) {
@@ -159,20 +159,20 @@ fn sort_lists(lists: &mut [Vec<u32>], are_blended: &[bool]) {
 
 /// Adds the triangles of all meshes; first those with vertices of their own.
 fn put_meshes(
-    builder: &mut Builder,
+    builder: &mut GltfBuilder,
     root: &mut Value,
     writer: &SceneWriter<'_>,
     is_sorted: bool,
 ) -> Result<(), Refusal> {
     let meshes = if is_sorted { &in_cache_order(writer)[..] } else { writer.scene.meshes() };
-    let mut vertices: BTreeMap<usize, Rc<Attributes>> = BTreeMap::new();
+    let mut vertices: BTreeMap<usize, Rc<SharedAttributes>> = BTreeMap::new();
     let mut written = WrittenMeshes::default();
     let pools = pools_of(writer, meshes);
     let mut pool_of: BTreeMap<usize, (usize, &[u32])> = BTreeMap::new();
     for (number, pool) in pools.iter().enumerate() {
         pool_of.extend(pool.members.iter().map(|(mesh, numbers)| (*mesh, (number, &numbers[..]))));
     }
-    let mut pooled: Vec<Option<Rc<Attributes>>> = vec![None; pools.len()];
+    let mut pooled: Vec<Option<Rc<SharedAttributes>>> = vec![None; pools.len()];
     for (index, (entry, mesh)) in entries(root, "meshes").zip(meshes).enumerate() {
         let Some(primitives) = primitives_of(entry) else { continue };
         let Some(mesh) = mesh else {
@@ -247,7 +247,7 @@ fn primitives_of(entry: &mut Value) -> Option<&mut Vec<Value>> {
 }
 
 /// Sets the accessors of all triangle primitives; those without indices are removed.
-fn put_primitives(primitives: &mut Vec<Value>, indices: Vec<Option<usize>>, found: &Attributes) {
+fn put_primitives(primitives: &mut Vec<Value>, indices: Vec<Option<usize>>, found: &SharedAttributes) {
     let mut indices = indices.into_iter();
     primitives.retain_mut(|primitive| {
         if !has_triangles(primitive) {
@@ -261,7 +261,7 @@ fn put_primitives(primitives: &mut Vec<Value>, indices: Vec<Option<usize>>, foun
 }
 
 /// Sets the accessors of a primitive's attributes and morph targets.
-fn refer(primitive: &mut Value, found: &Attributes) {
+fn refer(primitive: &mut Value, found: &SharedAttributes) {
     if let Some(Value::Object(attributes)) = primitive.get_mut("attributes") {
         set(attributes, |name| found.attributes.get(name).or_else(|| found.of_layer.get(&semantic(name))));
     }
@@ -315,7 +315,7 @@ fn layer_of_point(layer: &AttributeLayer) -> AttributeLayer {
 /// Makes the first triangle primitive show one point, and removes the others if it shows nothing at all.
 /// The point has the attributes and morph targets of the mesh, which skins and weights of nodes need.
 fn put_nothing(
-    builder: &mut Builder,
+    builder: &mut GltfBuilder,
     primitives: &mut Vec<Value>,
     mesh: &IndexedMesh,
 ) -> Result<(), Refusal> {

@@ -2,7 +2,7 @@
 
 use striata::mesh::{Appearance, AttributeLayer, IndexedMesh, Semantic, TriangleGroup};
 
-use super::corners::{Corner, NONE, Tables};
+use super::corners::{Corner, CornerTables, NONE};
 use super::{ObjReader, libraries};
 use crate::Source;
 use crate::error::Fault;
@@ -13,7 +13,7 @@ use crate::text::{Cursor, trimmed};
 const STATEMENTS: usize = 1 << 16;
 
 /// Values and triangles of some statements.
-pub(crate) struct Batch {
+pub(crate) struct StatementBatch {
     pub positions: Vec<[f32; 3]>,
     /// Three values for each position, if there have been colors so far.
     pub colors: Option<Vec<f32>>,
@@ -32,7 +32,7 @@ struct Seen {
 }
 
 /// Counts, groups and appearance of a file, which are known at its end.
-pub(crate) struct Outline {
+pub(crate) struct ObjOutline {
     /// Numbers of positions, texture coordinates and normals.
     pub counts: [usize; 3],
     /// First line with a texture coordinate or normal that does not exist, and a description; corners may
@@ -50,8 +50,8 @@ pub(crate) fn read_batches(
     bytes: &[u8],
     source: &Source<'_>,
     warnings: &mut Warnings,
-    mut visit: impl FnMut(Batch),
-) -> Result<Outline, Fault> {
+    mut visit: impl FnMut(StatementBatch),
+) -> Result<ObjOutline, Fault> {
     let mut cursor = Cursor::new(trimmed(bytes)).with_continuation();
     let (mut reader, mut seen, mut count) = (ObjReader::of_file(source.name), Seen::default(), 0);
     while !cursor.at_end() {
@@ -69,20 +69,20 @@ pub(crate) fn read_batches(
     visit(reader.take(&mut seen));
     warnings.append(std::mem::take(&mut reader.warnings));
     let outline = reader.outline(bytes.len() as u64, seen.texcoords, source, warnings);
-    Ok(Outline { has_long_coordinates: cursor.has_long_coordinates(), ..outline })
+    Ok(ObjOutline { has_long_coordinates: cursor.has_long_coordinates(), ..outline })
 }
 
 impl ObjReader {
     /// Takes the content of the tables.
-    fn take(&mut self, seen: &mut Seen) -> Batch {
+    fn take(&mut self, seen: &mut Seen) -> StatementBatch {
         self.taken = self.counts();
-        let Tables { positions, mut colors, texcoords, normals, .. } = std::mem::take(&mut self.tables);
+        let CornerTables { positions, mut colors, texcoords, normals, .. } = std::mem::take(&mut self.tables);
         let corners = std::mem::take(&mut self.corners);
         self.taken_triangles += corners.len() / 3;
         seen.texcoords |= corners.iter().any(|corner| corner[1] != NONE);
         seen.colors |= !colors.is_empty();
         colors.resize(if seen.colors { positions.len() * 3 } else { 0 }, 1.0);
-        Batch { positions, colors: seen.colors.then_some(colors), texcoords, normals, corners }
+        StatementBatch { positions, colors: seen.colors.then_some(colors), texcoords, normals, corners }
     }
 
     fn outline(
@@ -91,7 +91,7 @@ impl ObjReader {
         has_texcoords: bool,
         source: &Source<'_>,
         warnings: &mut Warnings,
-    ) -> Outline {
+    ) -> ObjOutline {
         let (counts, missing) = (self.counts(), [0, 1, 2].map(|kind| self.missing(kind)));
         let Self { taken_triangles, libraries, mut groups, materials, .. } = self;
         let mut end = taken_triangles as u32;
@@ -110,6 +110,6 @@ impl ObjReader {
         mesh.appearance.materials = materials;
         mesh.appearance.material_libraries = libraries.iter().map(|library| library.names.clone()).collect();
         libraries::attach(&mut mesh, &libraries, input_bytes, source, warnings);
-        Outline { groups, appearance: mesh.appearance, counts, missing, has_long_coordinates: false }
+        ObjOutline { groups, appearance: mesh.appearance, counts, missing, has_long_coordinates: false }
     }
 }

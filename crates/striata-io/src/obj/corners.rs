@@ -13,7 +13,7 @@ pub(super) type Corner = [u32; 3];
 
 /// Values of the `v`, `vt` and `vn` statements.
 #[derive(Default)]
-pub(super) struct Tables {
+pub(super) struct CornerTables {
     pub positions: Vec<[f32; 3]>,
     /// The positions in doubles, if single precision does not keep all digits; otherwise empty.
     pub file_positions: Vec<[f64; 3]>,
@@ -24,7 +24,7 @@ pub(super) struct Tables {
 }
 
 /// Builds the mesh; every index other than [`NONE`] must be valid.
-pub(super) fn assemble(mut tables: Tables, corners: &[Corner]) -> IndexedMesh {
+pub(super) fn assemble(mut tables: CornerTables, corners: &[Corner]) -> IndexedMesh {
     if !tables.colors.is_empty() {
         tables.colors.resize(tables.positions.len() * 3, 1.0);
     }
@@ -59,14 +59,18 @@ pub(super) fn assemble(mut tables: Tables, corners: &[Corner]) -> IndexedMesh {
 
 /// Whether all three indices of every corner agree, as far as texture coordinates and normals are used at
 /// all.
-fn has_common_indices(tables: &Tables, corners: &[Corner], used: [bool; 2]) -> bool {
+fn has_common_indices(tables: &CornerTables, corners: &[Corner], used: [bool; 2]) -> bool {
     let count = tables.positions.len();
     (!used[0] || tables.texcoords.len() == count)
         && (!used[1] || tables.normals.len() == count)
         && corners.iter().all(|c| (!used[0] || c[1] == c[0]) && (!used[1] || c[2] == c[0]))
 }
 
-fn in_file_order(tables: Tables, corners: &[Corner], [has_texcoord, has_normal]: [bool; 2]) -> IndexedMesh {
+fn in_file_order(
+    tables: CornerTables,
+    corners: &[Corner],
+    [has_texcoord, has_normal]: [bool; 2],
+) -> IndexedMesh {
     let mut layers = Vec::new();
     if has_normal {
         layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, tables.normals.into_flattened()));
@@ -87,7 +91,7 @@ fn in_file_order(tables: Tables, corners: &[Corner], [has_texcoord, has_normal]:
 
 /// Returns the normals of the vertices; a corner without one gets the normal of its triangles.
 fn normals_of(
-    tables: &Tables,
+    tables: &CornerTables,
     vertices: &[Corner],
     positions: &[[f32; 3]],
     triangles: &[[u32; 3]],

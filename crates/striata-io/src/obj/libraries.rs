@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde_json::Value;
 use striata::mesh::{IndexedMesh, Material, Semantic};
 
-use super::materials::{Converter, Origin};
+use super::materials::{Converter, DefinitionOrigin};
 use super::mtl::{self, Definition, Library};
 use crate::Source;
 use crate::companions::NameKind;
@@ -54,7 +54,7 @@ pub(super) fn attach(
             continue;
         };
         let (file, folder) = (loaded.file.as_str(), loaded.folder.as_str());
-        let origin = Origin { file, folder, is_from_blender: loaded.library.is_from_blender };
+        let origin = DefinitionOrigin { file, folder, is_from_blender: loaded.library.is_from_blender };
         let mut converter = Converter { textures: &mut textures, warnings, has_texcoords };
         let value = converter.material(definition, origin);
         material.gltf_json = value.to_string();

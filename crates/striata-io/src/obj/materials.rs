@@ -41,7 +41,7 @@ type Map<'m> = Option<(&'m TextureStatement, usize)>;
 
 /// Origin of a definition.
 #[derive(Clone, Copy)]
-pub(super) struct Origin<'l> {
+pub(super) struct DefinitionOrigin<'l> {
     /// Name of the library in messages.
     pub file: &'l str,
     /// Folder of the library, relative to that of the source.
@@ -59,7 +59,7 @@ pub(super) struct Converter<'c, 'a> {
 
 impl Converter<'_, '_> {
     /// Returns a definition as a glTF material.
-    pub(super) fn material(&mut self, definition: &Definition, origin: Origin<'_>) -> Value {
+    pub(super) fn material(&mut self, definition: &Definition, origin: DefinitionOrigin<'_>) -> Value {
         let mut material = MaterialDraft { definition, origin, converter: self, out: serde_json::Map::new() };
         material.out.insert("name".to_owned(), json!(definition.name));
         let base_color = material.base_color();
@@ -77,7 +77,7 @@ impl Converter<'_, '_> {
 /// A material under construction.
 struct MaterialDraft<'m, 'c, 'a> {
     definition: &'m Definition,
-    origin: Origin<'m>,
+    origin: DefinitionOrigin<'m>,
     converter: &'m mut Converter<'c, 'a>,
     out: serde_json::Map<String, Value>,
 }
@@ -100,7 +100,7 @@ impl<'m> MaterialDraft<'m, '_, '_> {
             self.leave_out(statement, "the mesh has no texture coordinates");
             return None;
         }
-        let (name, Origin { file, folder, .. }) = (&statement.name, self.origin);
+        let (name, DefinitionOrigin { file, folder, .. }) = (&statement.name, self.origin);
         let texture = TextureName { name, folder, file, place: Place::Line(statement.line) };
         let file = self.converter.textures.file(&texture, self.converter.warnings)?;
         Some((statement, file))

@@ -28,7 +28,7 @@ mod texture_statement;
 mod write;
 
 #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
-pub(crate) use batches::{Batch, Outline, read_batches};
+pub(crate) use batches::{ObjOutline, StatementBatch, read_batches};
 #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
 pub(crate) use remarks::{is_missing, warn_of_missing};
 pub(crate) use write::to_bytes;
@@ -41,13 +41,13 @@ use crate::Source;
 use crate::error::Fault;
 use crate::report::Warnings;
 use crate::text::{Cursor, plain};
-use corners::{Corner, NONE, Tables, assemble};
+use corners::{Corner, CornerTables, NONE, assemble};
 use libraries::LibraryStatement;
 
 /// State of the reader after some statements.
 #[derive(Default)]
 struct ObjReader {
-    tables: Tables,
+    tables: CornerTables,
     /// Three corners per triangle.
     corners: Vec<Corner>,
     /// Corners of the current polygon.
@@ -115,7 +115,7 @@ impl ObjReader {
     /// Number of positions, texture coordinates and normals so far.
     #[inline]
     fn counts(&self) -> [usize; 3] {
-        let Tables { positions, texcoords, normals, .. } = &self.tables;
+        let CornerTables { positions, texcoords, normals, .. } = &self.tables;
         let [a, b, c] = self.taken;
         [a + positions.len(), b + texcoords.len(), c + normals.len()]
     }

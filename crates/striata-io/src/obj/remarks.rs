@@ -5,16 +5,16 @@
 use super::ObjReader;
 use super::corners::NONE;
 use crate::error::{Fault, Place};
-use crate::report::{Kind, Warnings};
+use crate::report::{WarningKind, Warnings};
 use crate::text::Cursor;
 
 const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
 
 /// Kinds of the warnings about indices.
-const MISSING: [Kind; 3] = [
-    Kind("", ""),
-    Kind("texture coordinate of a corner left out", "texture coordinates of corners left out"),
-    Kind("normal of a corner left out", "normals of corners left out"),
+const MISSING: [WarningKind; 3] = [
+    WarningKind("", ""),
+    WarningKind("texture coordinate of a corner left out", "texture coordinates of corners left out"),
+    WarningKind("normal of a corner left out", "normals of corners left out"),
 ];
 
 /// Statements that draw something other than triangles.
@@ -60,17 +60,17 @@ impl ObjReader {
         if IGNORED.contains(&&lower[..]) {
         } else if SHAPES.contains(&&lower[..]) {
             let reason = || format!("the statement `{shown}`; only triangles are read");
-            self.warnings.count(Kind::SHAPES, place, reason);
+            self.warnings.count(WarningKind::SHAPES, place, reason);
         } else {
             self.known_count -= 1;
-            self.warnings.count(Kind::LINES, place, || format!("unknown statement \"{shown}\""));
+            self.warnings.count(WarningKind::LINES, place, || format!("unknown statement \"{shown}\""));
         }
     }
 
     /// Counts a vertex with more numbers than there are meanings for.
     #[cold]
     pub(super) fn surplus(&mut self, cursor: &Cursor<'_>) {
-        let kind = Kind("vertex with surplus numbers", "vertices with surplus numbers");
+        let kind = WarningKind("vertex with surplus numbers", "vertices with surplus numbers");
         self.warnings.count(kind, || Place::Line(cursor.line()), || "a vertex has at most 8".to_owned());
     }
 
@@ -78,7 +78,7 @@ impl ObjReader {
     #[cold]
     pub(super) fn no_polygon(&mut self, corner_count: usize, cursor: &Cursor<'_>) {
         let reason = || format!("a face with {corner_count} corners");
-        self.warnings.count(Kind::POLYGONS, || Place::Line(cursor.line()), reason);
+        self.warnings.count(WarningKind::POLYGONS, || Place::Line(cursor.line()), reason);
     }
 
     /// Decides about an index that is not defined so far: `(kind, index as written, index from 0)`.
@@ -108,7 +108,7 @@ impl ObjReader {
         if let Some((line, reason)) = self.missing(0) {
             return Err(Fault::at_line(line, reason));
         }
-        let skipped = self.warnings.first_of(Kind::LINES).filter(|_| self.known_count == 0);
+        let skipped = self.warnings.first_of(WarningKind::LINES).filter(|_| self.known_count == 0);
         match skipped {
             Some(first) => {
                 let reason = format!("no line of the file is an OBJ statement: {}", first.reason);

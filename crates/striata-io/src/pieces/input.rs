@@ -16,7 +16,7 @@ const BYTES_AT_ONCE: usize = 1 << 20;
 
 /// Opened file, unpacked if it was compressed.
 #[derive(Debug)]
-pub(crate) struct Input {
+pub(crate) struct PieceInput {
     /// Name in messages.
     pub name: String,
     /// Name without the extensions of compressions, by which the format is detected.
@@ -33,7 +33,7 @@ pub(crate) struct Input {
     pub(super) unpacked_bytes: u64,
 }
 
-impl Input {
+impl PieceInput {
     /// Opens a file; what is compressed is unpacked into a temporary file.
     pub(crate) fn open(path: &Path, options: &PieceOptions) -> Result<Self, ReadError> {
         let name = path.display().to_string();

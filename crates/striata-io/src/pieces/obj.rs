@@ -5,13 +5,13 @@ use std::collections::BTreeMap;
 
 use striata::mesh::{AttributeLayer, Semantic, relative_position};
 
-use super::input::Input;
+use super::input::PieceInput;
 use super::scratch::Mapped;
 use super::spool::{Spool, origin_near};
 use super::{ComponentType, LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::ReadError;
 use crate::error::{Fault, Place};
-use crate::obj::{Batch, Outline, is_missing, read_batches, visit_coordinates, warn_of_missing};
+use crate::obj::{ObjOutline, StatementBatch, is_missing, read_batches, visit_coordinates, warn_of_missing};
 use crate::repair::check_triangles;
 use crate::report::Warnings;
 
@@ -78,7 +78,7 @@ impl Usage {
 
 impl ObjPieces {
     /// Reads a file once.
-    pub(crate) fn open(mut input: Input, options: &PieceOptions) -> Result<Self, ReadError> {
+    pub(crate) fn open(mut input: PieceInput, options: &PieceOptions) -> Result<Self, ReadError> {
         input.make_plain_text(options)?;
         let mut writer = ObjTableWriter::new(options)?;
         let mut warnings = Warnings::of_file(&input.name);
@@ -199,7 +199,7 @@ impl ObjPieces {
 }
 
 /// Sets the groups and the appearance of the summary; returns the runs of triangles.
-fn runs_of(outline: Outline, summary: &mut PieceSummary) -> Vec<(usize, u32)> {
+fn runs_of(outline: ObjOutline, summary: &mut PieceSummary) -> Vec<(usize, u32)> {
     summary.appearance = outline.appearance;
     let mut known: BTreeMap<(String, Option<u32>), u32> = BTreeMap::new();
     let mut runs = Vec::with_capacity(outline.groups.len());
@@ -232,7 +232,11 @@ fn count_missing(corners: &[u8], kind: usize, used: &mut Usage) -> u64 {
 }
 
 /// Reads the coordinates of the vertices again, in doubles, and writes them relative to an origin.
-fn relative_positions(input: &Input, origin: [f64; 3], options: &PieceOptions) -> Result<Mapped, ReadError> {
+fn relative_positions(
+    input: &PieceInput,
+    origin: [f64; 3],
+    options: &PieceOptions,
+) -> Result<Mapped, ReadError> {
     let mut spool = Spool::new(options)?;
     visit_coordinates(&input.bytes, |position| {
         spool.write(bytemuck::cast_slice(&relative_position(position, origin)));
@@ -268,7 +272,7 @@ impl ObjTableWriter {
         Ok(Self { tables, position_count: 0, used: Used::default() })
     }
 
-    fn add(&mut self, batch: &Batch) {
+    fn add(&mut self, batch: &StatementBatch) {
         let tables = &mut self.tables;
         if let Some(colors) = &batch.colors {
             if !self.used.colors {

@@ -2,14 +2,14 @@
 
 use striata::mesh::{AttributeLayer, relative_position};
 
-use super::input::Input;
+use super::input::PieceInput;
 use super::local::localize;
 use super::scratch::Mapped;
 use super::spool::{Spool, origin_near};
 use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::ReadError;
 use crate::error::{Fault, Place};
-use crate::off::{Columns, Layout, PolygonColors, read_rows, visit_coordinates};
+use crate::off::{Columns, OffLayout, PolygonColors, read_rows, visit_coordinates};
 use crate::repair::check_triangles;
 use crate::report::Warnings;
 use crate::text::trimmed;
@@ -18,7 +18,7 @@ const TRIANGLE_BYTES: usize = 12;
 
 /// OFF file whose tables are in temporary files.
 pub(crate) struct OffPieces {
-    layout: Layout,
+    layout: OffLayout,
     /// Numbers of each vertex.
     rows: Mapped,
     /// Positions of all vertices, if they are relative to an origin.
@@ -32,13 +32,13 @@ pub(crate) struct OffPieces {
 
 impl OffPieces {
     /// Reads a file once.
-    pub(crate) fn open(mut input: Input, options: &PieceOptions) -> Result<Self, ReadError> {
+    pub(crate) fn open(mut input: PieceInput, options: &PieceOptions) -> Result<Self, ReadError> {
         input.make_plain_text(options)?;
         let mut warnings = Warnings::of_file(&input.name);
         let (mut rows, mut triangles) = (Spool::new(options)?, Spool::new(options)?);
         let (mut colors, mut color_rows) = (PolygonColors::default(), Spool::new(options)?);
         let mut count = 0;
-        let vertex = |_: &Layout, row: &[f32]| rows.write(bytemuck::cast_slice(row));
+        let vertex = |_: &OffLayout, row: &[f32]| rows.write(bytemuck::cast_slice(row));
         let layout = read_rows(trimmed(&input.bytes), &mut warnings, vertex, |triangle, color| {
             triangles.write(bytemuck::cast_slice(&triangle));
             count += 1;
@@ -130,7 +130,11 @@ impl OffPieces {
 }
 
 /// Reads the coordinates of the vertices again, in doubles, and writes them relative to an origin.
-fn relative_positions(input: &Input, origin: [f64; 3], options: &PieceOptions) -> Result<Mapped, ReadError> {
+fn relative_positions(
+    input: &PieceInput,
+    origin: [f64; 3],
+    options: &PieceOptions,
+) -> Result<Mapped, ReadError> {
     let mut spool = Spool::new(options)?;
     visit_coordinates(trimmed(&input.bytes), |position| {
         spool.write(bytemuck::cast_slice(&relative_position(position, origin)));

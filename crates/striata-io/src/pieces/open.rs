@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::gltf::GltfPieces;
-use super::input::Input;
+use super::input::PieceInput;
 use super::obj::ObjPieces;
 use super::off::OffPieces;
 use super::ply::PlyPieces;
@@ -29,7 +29,7 @@ pub fn open_pieces(path: &Path, options: &PieceOptions) -> Result<Box<dyn PieceS
     if super::terrain::is_raster(path) {
         return Ok(Box::new(super::Terrain::open(&[path.to_owned()], options)?));
     }
-    let mut input = Input::open(path, options)?;
+    let mut input = PieceInput::open(path, options)?;
     match Format::detect(&input.bytes, &input.inner_name) {
         Some(Format::Ply) => match PlyPieces::open(input, options)? {
             Ok(pieces) => return repaired(pieces),
@@ -51,7 +51,7 @@ fn repaired(source: impl PieceSource + 'static) -> Result<Box<dyn PieceSource>, 
 }
 
 /// Reads a whole file with the reader for meshes in memory.
-fn in_memory(input: &Input, options: &PieceOptions) -> Result<Box<dyn PieceSource>, ReadError> {
+fn in_memory(input: &PieceInput, options: &PieceOptions) -> Result<Box<dyn PieceSource>, ReadError> {
     let mut report = read_bytes_with_report(&input.bytes, &input.source())?;
     if let Some(origin) = options.origin {
         report.mesh.set_origin(origin);

@@ -4,8 +4,8 @@ use std::borrow::Cow;
 
 use striata::mesh::{AttributeLayer, IndexedMesh, origin_of};
 
-use super::input::Input;
-use super::ply_faces::{FaceOptions, FaceRuns, Run};
+use super::input::PieceInput;
+use super::ply_faces::{FaceOptions, FaceRun, FaceRuns};
 use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary, ply_text};
 use crate::ReadError;
 use crate::error::{Fault, Place};
@@ -22,7 +22,7 @@ use crate::texture_set::TextureSet;
 
 /// Binary PLY file.
 pub(super) struct PlyPieces {
-    input: Input,
+    input: PieceInput,
     header: Header,
     vertices: VertexRows,
     faces: Option<FaceRuns>,
@@ -47,7 +47,10 @@ struct Located {
 impl PlyPieces {
     /// Opens a file; text is converted to a temporary file. What must be read at once is given back:
     /// strips, vertices with lists, and faces with texture coordinates.
-    pub(super) fn open(mut input: Input, options: &PieceOptions) -> Result<Result<Self, Input>, ReadError> {
+    pub(super) fn open(
+        mut input: PieceInput,
+        options: &PieceOptions,
+    ) -> Result<Result<Self, PieceInput>, ReadError> {
         let mut header = Header::read(&input.bytes).map_err(|fault| fault.in_file(&input.name))?;
         let count = |name: &str| header.elements.iter().filter(|e| e.name == name).count();
         let is_repeated = count("vertex") > 1 || count("face") > 1;
@@ -99,7 +102,7 @@ impl PlyPieces {
         let Some(faces) = self.faces.as_ref().filter(|faces| (run as u64) < faces.run_count()) else {
             return Err(Fault::Malformed(Place::File, format!("piece {run} does not exist")));
         };
-        let Run { triangles, triangle_layers, vertices } =
+        let FaceRun { triangles, triangle_layers, vertices } =
             faces.read(&self.input.bytes, run, &self.header)?;
         let rows = self.vertices.rows(&self.input.bytes, &vertices);
         let (positions, layers) = self.vertices.values(&rows, &self.header, self.summary.origin)?;
@@ -170,7 +173,7 @@ fn skip(bytes: &[u8], at: usize, element: &Element, is_big: bool) -> Result<usiz
 /// Gives the summary the images that the header names, and remarks on what was left out.
 fn attach_textures(
     summary: &mut PieceSummary,
-    input: &Input,
+    input: &PieceInput,
     (header, remarks): (&Header, Vec<String>),
     vertices: &VertexRows,
 ) {

@@ -7,12 +7,12 @@ use super::local::localize;
 use crate::error::Fault;
 use crate::ply::body::{ReadFaces, read_faces};
 use crate::ply::face_data::FaceData;
-use crate::ply::header::{Element, Header, Property};
+use crate::ply::header::{Element, Header, PlyProperty};
 use crate::ply::lists::{list_length, skip_property};
 use crate::ply::rows::{BinaryRows, Rows};
 
 /// Triangles of a run over its own vertices, with their data.
-pub(super) struct Run {
+pub(super) struct FaceRun {
     pub triangles: Vec<[u32; 3]>,
     pub triangle_layers: Vec<AttributeLayer>,
     /// Numbers of the vertices in the file.
@@ -50,7 +50,7 @@ pub(super) struct FaceOptions {
 
 /// Size of a row if its list has three entries; [`None`] if it has other lists.
 fn triangle_row_bytes(element: &Element, list: usize) -> Option<usize> {
-    let bytes = |(place, property): (usize, &Property)| match property.list {
+    let bytes = |(place, property): (usize, &PlyProperty)| match property.list {
         None => Some(property.scalar.bytes()),
         Some(length) if place == list => Some(length.bytes() + 3 * property.scalar.bytes()),
         Some(_) => None,
@@ -99,7 +99,7 @@ impl FaceRuns {
     }
 
     /// Reads a run.
-    pub(super) fn read(&self, bytes: &[u8], run: usize, header: &Header) -> Result<Run, Fault> {
+    pub(super) fn read(&self, bytes: &[u8], run: usize, header: &Header) -> Result<FaceRun, Fault> {
         let (start, end, face_count) = match &self.starts {
             Starts::Even { first, row_bytes, faces_per_run } => {
                 let face = run * faces_per_run;
@@ -131,7 +131,7 @@ impl FaceRuns {
         let mut triangles = faces.triangles;
         let (triangle_layers, _) = faces.data.into_layers(header, triangles.len());
         let vertices = localize(&mut triangles);
-        Ok(Run { triangles, triangle_layers, vertices })
+        Ok(FaceRun { triangles, triangle_layers, vertices })
     }
 }
 

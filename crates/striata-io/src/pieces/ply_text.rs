@@ -1,11 +1,11 @@
 //! ASCII PLY, converted to a temporary binary file with triangles only.
 
 use super::PieceOptions;
-use super::input::Input;
+use super::input::PieceInput;
 use super::spool::Spool;
 use crate::ReadError;
 use crate::error::Fault;
-use crate::ply::header::{Element, Header, Property, Scalar};
+use crate::ply::header::{Element, Header, PlyProperty, Scalar};
 use crate::ply::lists::{index_list, list_length, skip_element, skip_property};
 use crate::ply::rows::{AsciiRows, Rows as _};
 use crate::ply::vertices::flipped_columns_of;
@@ -15,13 +15,21 @@ use crate::text::Cursor;
 const DIGITS: usize = 10;
 
 /// Replaces the bytes of a text file by those of a binary one.
-pub(super) fn convert(input: &mut Input, header: &Header, options: &PieceOptions) -> Result<(), ReadError> {
+pub(super) fn convert(
+    input: &mut PieceInput,
+    header: &Header,
+    options: &PieceOptions,
+) -> Result<(), ReadError> {
     input.bytes = converted(input, header, options)?.finish(options)?;
     Ok(())
 }
 
 /// Converts a text file to a binary one, whose texture coordinates count from the top of the image.
-pub(crate) fn converted(input: &Input, header: &Header, options: &PieceOptions) -> Result<Spool, ReadError> {
+pub(crate) fn converted(
+    input: &PieceInput,
+    header: &Header,
+    options: &PieceOptions,
+) -> Result<Spool, ReadError> {
     let mut spool = Spool::new(options)?;
     let mut rows = AsciiRows(Cursor::starting_at(&input.bytes, header.body_at, header.body_line));
     let written = write_head(header, &mut spool).and_then(|count_at| {
@@ -150,7 +158,7 @@ impl TextFace {
 
     fn read_polygon(
         &mut self,
-        property: &Property,
+        property: &PlyProperty,
         length: Scalar,
         vertex_count: usize,
         rows: &mut AsciiRows<'_>,

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::input::Input;
+use super::input::PieceInput;
 use super::stl_text::{self, Solids};
 use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::error::{Fault, Place};
@@ -17,7 +17,7 @@ const MAX_SAMPLES: usize = 1 << 16;
 
 /// Binary STL file.
 pub(crate) struct StlPieces {
-    input: Input,
+    input: PieceInput,
     summary: PieceSummary,
     /// First facet of each solid; empty for binary files.
     solid_starts: Vec<usize>,
@@ -31,7 +31,7 @@ pub(crate) struct StlPieces {
 
 impl StlPieces {
     /// Opens a file; text is converted to a temporary file.
-    pub(crate) fn open(mut input: Input, options: &PieceOptions) -> Result<Self, ReadError> {
+    pub(crate) fn open(mut input: PieceInput, options: &PieceOptions) -> Result<Self, ReadError> {
         let mut solids = Solids { groups: Vec::new(), starts: Vec::new() };
         let mut warnings = Warnings::of_file(&input.name);
         // Coordinates of binary files are single precision; another origin would only round them again.

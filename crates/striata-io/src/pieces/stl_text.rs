@@ -2,7 +2,7 @@
 
 use striata::mesh::{origin_of, relative_position};
 
-use super::input::Input;
+use super::input::PieceInput;
 use super::spool::Spool;
 use super::{PieceGroup, PieceOptions};
 use crate::ReadError;
@@ -19,7 +19,7 @@ pub(super) struct Solids {
 /// Replaces the bytes of a text file by those of a binary one, whose positions are relative to the origin that
 /// is returned.
 pub(super) fn convert(
-    input: &mut Input,
+    input: &mut PieceInput,
     options: &PieceOptions,
     warnings: &mut Warnings,
 ) -> Result<(Solids, [f64; 3]), ReadError> {
@@ -48,7 +48,7 @@ struct ConvertedText {
 }
 
 fn write_facets(
-    input: &Input,
+    input: &PieceInput,
     origin: [f64; 3],
     options: &PieceOptions,
     warnings: &mut Warnings,

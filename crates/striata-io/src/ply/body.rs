@@ -7,7 +7,7 @@ use crate::error::Fault;
 use super::column::Column;
 use super::face_data::FaceData;
 use super::face_textures::FaceTextures;
-use super::header::{Element, Header, Property, Scalar};
+use super::header::{Element, Header, PlyProperty, Scalar};
 use super::lists::{index_list, list_length, skip_element, skip_property};
 use super::rows::Rows;
 use super::texcoords::mark_flipped;
@@ -113,7 +113,7 @@ pub(crate) fn read_faces<'a, R: Rows<'a>>(
     if let Some(textured) = TextureProperties::of(element, faces.data.keeps_texture_numbers) {
         return textured.read_faces(element, list, rows, faces);
     }
-    if let [Property { scalar: Scalar::I32 | Scalar::U32, list: Some(Scalar::U8 | Scalar::I8), .. }] =
+    if let [PlyProperty { scalar: Scalar::I32 | Scalar::U32, list: Some(Scalar::U8 | Scalar::I8), .. }] =
         element.properties[..]
     {
         left -= read_plain_triangles(rows, left, faces, vertex_count);

@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use striata::mesh::AttributeLayer;
 
 use super::column::Column;
-use super::header::{Element, Header, Property};
+use super::header::{Element, Header, PlyProperty};
 use super::vertices::{PlyVertices, columns_of};
 
 /// Bytes of rows that any file may have, and per byte of the file: long rows of polygons with many corners would
@@ -67,7 +67,7 @@ impl FaceData {
     }
 
     /// Whether a property is a column.
-    pub(crate) fn takes(&self, property: &Property) -> bool {
+    pub(crate) fn takes(&self, property: &PlyProperty) -> bool {
         property.list.is_none() && (self.keeps_texture_numbers || property.name != "texnumber")
     }
 
@@ -130,7 +130,7 @@ pub(crate) fn left_out(header: &Header) -> Vec<String> {
     let mut out = Vec::new();
     for element in header.elements.iter().filter(|element| element.count > 0) {
         let name = element.name.as_str();
-        let is_known = |p: &&Property| match name {
+        let is_known = |p: &&PlyProperty| match name {
             "vertex" => p.list.is_none(),
             "face" => {
                 p.list.is_none() || matches!(p.name.as_str(), "vertex_indices" | "vertex_index" | "texcoord")

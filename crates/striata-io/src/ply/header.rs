@@ -70,7 +70,7 @@ impl Scalar {
 
 /// Property of an element: a number or a list of numbers.
 #[derive(Clone, Debug)]
-pub(crate) struct Property {
+pub(crate) struct PlyProperty {
     pub name: String,
     pub scalar: Scalar,
     /// Type of the list's length, if the property is a list.
@@ -82,10 +82,10 @@ pub(crate) struct Property {
 pub(crate) struct Element {
     pub name: String,
     pub count: usize,
-    pub properties: Vec<Property>,
+    pub properties: Vec<PlyProperty>,
 }
 
-impl Property {
+impl PlyProperty {
     /// Whether the property is a coordinate of a vertex.
     pub(crate) fn is_coordinate(&self) -> bool {
         self.list.is_none() && matches!(self.name.as_str(), "x" | "y" | "z")
@@ -232,7 +232,7 @@ fn read_element(cursor: &mut Cursor<'_>) -> Result<Element, Fault> {
     Ok(Element { name, count, properties: Vec::new() })
 }
 
-fn read_property(cursor: &mut Cursor<'_>) -> Result<Property, Fault> {
+fn read_property(cursor: &mut Cursor<'_>) -> Result<PlyProperty, Fault> {
     let scalar = |cursor: &mut Cursor<'_>, word: &[u8]| {
         Scalar::from_name(word).ok_or_else(|| cursor.fault(format!("no PLY type is called {}", quoted(word))))
     };
@@ -251,7 +251,7 @@ fn read_property(cursor: &mut Cursor<'_>) -> Result<Property, Fault> {
     if name.is_empty() {
         return Err(cursor.fault("a property has no name"));
     }
-    Ok(Property { name, scalar, list })
+    Ok(PlyProperty { name, scalar, list })
 }
 
 fn text(word: &[u8]) -> String {

@@ -1,10 +1,10 @@
 //! Lists of a row: their lengths, and rows and properties that are skipped.
 
-use super::header::{Element, Property, Scalar};
+use super::header::{Element, PlyProperty, Scalar};
 use super::rows::Rows;
 use crate::error::Fault;
 
-pub(crate) fn skip_property<'a>(property: &Property, rows: &mut impl Rows<'a>) -> Result<(), Fault> {
+pub(crate) fn skip_property<'a>(property: &PlyProperty, rows: &mut impl Rows<'a>) -> Result<(), Fault> {
     let count = match property.list {
         None => 1,
         Some(scalar) => list_length(scalar, rows)?,
@@ -35,6 +35,6 @@ pub(crate) fn skip_element<'a>(element: &Element, rows: &mut impl Rows<'a>) -> R
 /// Returns the index of the vertex list among an element's properties.
 pub(crate) fn index_list(element: &Element) -> Option<usize> {
     let is_index_list =
-        |p: &Property| p.list.is_some() && matches!(p.name.as_str(), "vertex_indices" | "vertex_index");
+        |p: &PlyProperty| p.list.is_some() && matches!(p.name.as_str(), "vertex_indices" | "vertex_index");
     element.properties.iter().position(is_index_list)
 }

@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use striata::mesh::{AttributeLayer, IndexedMesh, origin_of, relative_position};
 
-use super::header::{Element, Encoding, Header, Property, Scalar};
+use super::header::{Element, Encoding, Header, PlyProperty, Scalar};
 use super::lists::index_list;
 use super::rows::integer_from_bytes;
 use super::texcoords::{has_origin, with_bottom_origin};
@@ -435,7 +435,7 @@ impl FaceRows<'_> {
         const ROW: usize = 13;
         let is_plain = matches!(
             element.properties[..],
-            [Property { scalar: Scalar::I32 | Scalar::U32, list: Some(Scalar::U8 | Scalar::I8), .. }]
+            [PlyProperty { scalar: Scalar::I32 | Scalar::U32, list: Some(Scalar::U8 | Scalar::I8), .. }]
         );
         if !is_plain || self.is_big {
             return Ok(0);
@@ -482,7 +482,7 @@ impl FaceRows<'_> {
         u64::try_from(length).map_err(|_| self.fault(format!("a list cannot have {length} entries")))
     }
 
-    fn skip(&mut self, property: &Property) -> Result<(), ReadError> {
+    fn skip(&mut self, property: &PlyProperty) -> Result<(), ReadError> {
         let count = match property.list {
             None => 1,
             Some(scalar) => self.length(scalar)?,

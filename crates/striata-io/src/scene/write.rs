@@ -8,7 +8,7 @@ use super::{Scene, SceneWriter};
 #[cfg(not(target_family = "wasm"))]
 use crate::Warning;
 use crate::error::Refusal;
-use crate::gltf::Container;
+use crate::gltf::GltfContainer;
 use crate::image_files::ImageFiles;
 use crate::report::Warnings;
 use crate::write::{can_have_companions, packed_for_name};
@@ -57,7 +57,7 @@ impl SceneWriter<'_> {
         let mut images = ImageFiles::new(self.scene.images(), beside);
         let bytes = match format {
             Format::Gltf | Format::Glb => {
-                let container = Container::new(format, options, beside, (&mut images, &mut warnings));
+                let container = GltfContainer::new(format, options, beside, (&mut images, &mut warnings));
                 crate::gltf::scene_to_bytes(self, options, container)
             }
             _ => Err(Refusal::Unsupported("the format has no scenes".to_owned())),

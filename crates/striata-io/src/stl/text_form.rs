@@ -8,7 +8,7 @@ use striata::mesh::{IndexedMesh, TriangleGroup, origin_of, relative_position};
 
 use super::vertex_table::VertexTable;
 use crate::error::{Fault, Place};
-use crate::report::{Kind, Warnings};
+use crate::report::{WarningKind, Warnings};
 use crate::text::{Cursor, quoted};
 
 /// Part of an ASCII file.
@@ -118,7 +118,11 @@ fn unusual_keyword(word: &[u8], cursor: &mut Cursor<'_>) -> Keyword {
 #[cold]
 fn skip_line(word: &[u8], cursor: &mut Cursor<'_>, warnings: &mut Warnings) {
     let line = cursor.line();
-    warnings.count(Kind::LINES, || Place::Line(line), || format!("unknown statement {}", quoted(word)));
+    warnings.count(
+        WarningKind::LINES,
+        || Place::Line(line),
+        || format!("unknown statement {}", quoted(word)),
+    );
     cursor.rest_of_line();
 }
 
@@ -153,7 +157,7 @@ fn read_facet(
     }
     if polygon.len() < 3 {
         let reason = || format!("a facet with {} vertices", polygon.len());
-        warnings.count(Kind::POLYGONS, || Place::Line(line), reason);
+        warnings.count(WarningKind::POLYGONS, || Place::Line(line), reason);
     }
     Ok(())
 }

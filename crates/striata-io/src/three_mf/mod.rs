@@ -26,13 +26,13 @@ use striata::mesh::IndexedMesh;
 use crate::error::{Fault, Place};
 use crate::report::Warnings;
 use crate::{Scene, SceneError};
-use package::Package;
+use package::ThreeMfPackage;
 
 pub(crate) use write::{mesh_to_bytes, scene_to_bytes};
 
 /// Reads the build items of a file as a scene.
 pub(crate) fn read_scene(bytes: &[u8], warnings: &mut Warnings) -> Result<Scene, Fault> {
-    let mut package = Package::open(bytes)?;
+    let mut package = ThreeMfPackage::open(bytes)?;
     scene::scene_of(&mut package, warnings)
 }
 

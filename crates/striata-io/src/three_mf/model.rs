@@ -6,18 +6,18 @@ use std::rc::Rc;
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::{Reader, XmlVersion};
 
-use super::property::{Property, TextureGroup, color_of};
+use super::property::{PropertyGroup, TextureGroup, color_of};
 use crate::error::{Fault, Place};
 use crate::report::Warnings;
 
 /// Content of a part.
 #[derive(Default)]
-pub(super) struct Model {
+pub(super) struct PartModel {
     pub unit: String,
     /// Names and values in the order of the file.
     pub metadata: Vec<(String, String)>,
     pub objects: BTreeMap<u32, Object>,
-    pub properties: BTreeMap<u32, Property>,
+    pub properties: BTreeMap<u32, PropertyGroup>,
     pub items: Vec<Component>,
 }
 
@@ -57,7 +57,7 @@ struct ModelReader<'a> {
     at: usize,
     /// A byte before it, and its line, from which lines are counted on.
     counted: (usize, u64),
-    model: Model,
+    model: PartModel,
     /// The object that is being read.
     object: Option<(u32, Object)>,
     /// Identifier of the property group that is being read.
@@ -67,13 +67,13 @@ struct ModelReader<'a> {
 }
 
 /// Reads a part.
-pub(super) fn read(name: &str, bytes: &[u8], warnings: &mut Warnings) -> Result<Model, Fault> {
+pub(super) fn read(name: &str, bytes: &[u8], warnings: &mut Warnings) -> Result<PartModel, Fault> {
     let mut reader = ModelReader {
         name,
         bytes,
         at: 0,
         counted: (0, 1),
-        model: Model::default(),
+        model: PartModel::default(),
         object: None,
         group: None,
         skipped: BTreeMap::new(),
@@ -174,16 +174,19 @@ impl ModelReader<'_> {
                 let item = self.component(start)?;
                 self.model.items.push(item);
             }
-            b"basematerials" => self.open_group(start, Property::Materials(Vec::new()))?,
-            b"colorgroup" => self.open_group(start, Property::Colors(Vec::new()))?,
+            b"basematerials" => self.open_group(start, PropertyGroup::Materials(Vec::new()))?,
+            b"colorgroup" => self.open_group(start, PropertyGroup::Colors(Vec::new()))?,
             b"texture2dgroup" => {
                 let texture = self.required(start, "texid")?;
-                self.open_group(start, Property::Texture(TextureGroup { texture, coordinates: Vec::new() }))?;
+                self.open_group(
+                    start,
+                    PropertyGroup::Texture(TextureGroup { texture, coordinates: Vec::new() }),
+                )?;
             }
             b"texture2d" => {
                 let text = |name: &str| attribute(start, name).unwrap_or_default();
                 let wraps = [text("tilestyleu"), text("tilestylev")];
-                self.open_group(start, Property::Image { path: text("path"), wraps })?;
+                self.open_group(start, PropertyGroup::Image { path: text("path"), wraps })?;
             }
             b"base" | b"color" | b"tex2coord" => self.entry(start)?,
             b"resources" | b"mesh" | b"vertices" | b"triangles" | b"components" | b"build" | b"metadata"
@@ -303,7 +306,7 @@ impl ModelReader<'_> {
         Ok(Component { path, object, transform, place })
     }
 
-    fn open_group(&mut self, start: &BytesStart<'_>, property: Property) -> Result<(), Fault> {
+    fn open_group(&mut self, start: &BytesStart<'_>, property: PropertyGroup) -> Result<(), Fault> {
         let id = self.required(start, "id")?;
         self.model.properties.insert(id, property);
         self.group = Some(id);
@@ -318,11 +321,11 @@ impl ModelReader<'_> {
         };
         let group = self.group.and_then(|id| self.model.properties.get_mut(&id));
         let is_read = match group {
-            Some(Property::Materials(entries)) => color("displaycolor").map(|color| {
+            Some(PropertyGroup::Materials(entries)) => color("displaycolor").map(|color| {
                 entries.push((attribute(start, "name").unwrap_or_default(), color));
             }),
-            Some(Property::Colors(entries)) => color("color").map(|color| entries.push(color)),
-            Some(Property::Texture(group)) => {
+            Some(PropertyGroup::Colors(entries)) => color("color").map(|color| entries.push(color)),
+            Some(PropertyGroup::Texture(group)) => {
                 number("u").zip(number("v")).map(|(u, v)| group.coordinates.push([u, v]))
             }
             _ => None,

@@ -17,7 +17,7 @@ const USUAL_MODEL: &str = "3D/3dmodel.model";
 const MAX_RATIO: u64 = 300;
 
 /// An open archive.
-pub(super) struct Package<'a> {
+pub(super) struct ThreeMfPackage<'a> {
     archive: ZipArchive<Cursor<&'a [u8]>>,
     /// Bytes that may still be unpacked.
     bytes_left: u64,
@@ -25,7 +25,7 @@ pub(super) struct Package<'a> {
     input_bytes: u64,
 }
 
-impl<'a> Package<'a> {
+impl<'a> ThreeMfPackage<'a> {
     pub(super) fn open(bytes: &'a [u8]) -> Result<Self, Fault> {
         let archive = ZipArchive::new(Cursor::new(bytes));
         let archive =

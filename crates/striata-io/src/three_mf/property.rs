@@ -1,7 +1,7 @@
 //! Properties of triangles: materials, colors and textures.
 
 /// A group of properties, or an image that texture groups use.
-pub(super) enum Property {
+pub(super) enum PropertyGroup {
     /// Names and sRGB colors of base materials.
     Materials(Vec<(String, [u8; 4])>),
     /// sRGB colors of corners.

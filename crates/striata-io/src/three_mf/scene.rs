@@ -9,9 +9,9 @@ use striata::mesh::{
 };
 
 use super::broken;
-use super::model::{self, Component, Model, Object};
-use super::package::Package;
-use super::property::Property;
+use super::model::{self, Component, Object, PartModel};
+use super::package::ThreeMfPackage;
+use super::property::PropertyGroup;
 use crate::color_space::srgb_to_linear;
 use crate::error::{Fault, Place};
 use crate::gltf::{image_entry, insert, looks};
@@ -43,9 +43,9 @@ enum MaterialSource {
 
 /// Scene that is being built.
 struct SceneBuilder<'p, 'a, 'w> {
-    package: &'p mut Package<'a>,
+    package: &'p mut ThreeMfPackage<'a>,
     warnings: &'w mut Warnings,
-    parts: Vec<(String, Model)>,
+    parts: Vec<(String, PartModel)>,
     nodes: Vec<Value>,
     meshes: Vec<Value>,
     triangles: Vec<Option<IndexedMesh>>,
@@ -57,7 +57,7 @@ struct SceneBuilder<'p, 'a, 'w> {
 }
 
 /// Returns the scene of the build items.
-pub(super) fn scene_of(package: &mut Package<'_>, warnings: &mut Warnings) -> Result<Scene, Fault> {
+pub(super) fn scene_of(package: &mut ThreeMfPackage<'_>, warnings: &mut Warnings) -> Result<Scene, Fault> {
     let budget = ImageBudget::new(package.input_bytes());
     let root = package.root_name()?;
     let mut builder = SceneBuilder {
@@ -206,7 +206,7 @@ impl SceneBuilder<'_, '_, '_> {
     fn look(&mut self, part: usize, group: u32, entry: u32) -> Option<u32> {
         let properties = &self.parts[part].1.properties;
         let (look, material) = match properties.get(&group)? {
-            Property::Materials(entries) => {
+            PropertyGroup::Materials(entries) => {
                 let look = MaterialSource::Base(part, group, entry);
                 if let Some(&known) = self.material_of.get(&look) {
                     return Some(known);
@@ -217,18 +217,18 @@ impl SceneBuilder<'_, '_, '_> {
                 };
                 (look, material_of(name, *color))
             }
-            Property::Texture(texture) => {
+            PropertyGroup::Texture(texture) => {
                 let look = MaterialSource::Texture(part, texture.texture);
                 if let Some(&known) = self.material_of.get(&look) {
                     return Some(known);
                 }
                 let (path, wraps) = match properties.get(&texture.texture) {
-                    Some(Property::Image { path, wraps }) => (path.clone(), wraps.clone()),
+                    Some(PropertyGroup::Image { path, wraps }) => (path.clone(), wraps.clone()),
                     _ => return None,
                 };
                 (look, self.textured(&path, &wraps)?)
             }
-            Property::Colors(_) | Property::Image { .. } => return None,
+            PropertyGroup::Colors(_) | PropertyGroup::Image { .. } => return None,
         };
         let name = material.get("name").and_then(Value::as_str).unwrap_or("").to_owned();
         self.appearance.materials.push(Material { name, gltf_json: material.to_string() });
@@ -328,26 +328,26 @@ impl Entries {
     fn words(
         &mut self,
         group: u32,
-        property: Option<&Property>,
+        property: Option<&PropertyGroup>,
         numbers: [u32; 3],
         warnings: &mut Warnings,
     ) -> [[u32; 2]; 3] {
         let (place, count) = match property {
-            Some(Property::Colors(list)) => (0, list.len()),
-            Some(Property::Texture(list)) => (1, list.coordinates.len()),
-            Some(Property::Materials(_)) => return [[NONE; 2]; 3],
-            Some(Property::Image { .. }) | None => {
+            Some(PropertyGroup::Colors(list)) => (0, list.len()),
+            Some(PropertyGroup::Texture(list)) => (1, list.coordinates.len()),
+            Some(PropertyGroup::Materials(_)) => return [[NONE; 2]; 3],
+            Some(PropertyGroup::Image { .. }) | None => {
                 let reason = format!("the properties {group} of triangles are of a kind that is left out");
                 warnings.push(Place::File, reason);
                 return [[NONE; 2]; 3];
             }
         };
         let start = *self.starts.entry(group).or_insert_with(|| match property {
-            Some(Property::Colors(list)) => {
+            Some(PropertyGroup::Colors(list)) => {
                 self.colors.extend_from_slice(list);
                 (self.colors.len() - list.len()) as u32
             }
-            Some(Property::Texture(list)) => {
+            Some(PropertyGroup::Texture(list)) => {
                 self.texcoords.extend_from_slice(&list.coordinates);
                 (self.texcoords.len() - list.coordinates.len()) as u32
             }

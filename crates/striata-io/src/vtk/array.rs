@@ -6,7 +6,7 @@ use crate::text::quoted;
 
 /// Type of the values of an array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Scalar {
+pub(super) enum VtkScalar {
     I8,
     U8,
     I16,
@@ -73,16 +73,16 @@ macro_rules! with_vector {
 macro_rules! of_scalar {
     ($scalar:expr, $type:ident => $body:expr) => {
         match $scalar {
-            Scalar::I8 => Values::I8(of_scalar!(@ i8, $type => $body)),
-            Scalar::U8 => Values::U8(of_scalar!(@ u8, $type => $body)),
-            Scalar::I16 => Values::I16(of_scalar!(@ i16, $type => $body)),
-            Scalar::U16 => Values::U16(of_scalar!(@ u16, $type => $body)),
-            Scalar::I32 => Values::I32(of_scalar!(@ i32, $type => $body)),
-            Scalar::U32 => Values::U32(of_scalar!(@ u32, $type => $body)),
-            Scalar::I64 => Values::I64(of_scalar!(@ i64, $type => $body)),
-            Scalar::U64 => Values::U64(of_scalar!(@ u64, $type => $body)),
-            Scalar::F32 => Values::F32(of_scalar!(@ f32, $type => $body)),
-            Scalar::F64 => Values::F64(of_scalar!(@ f64, $type => $body)),
+            VtkScalar::I8 => Values::I8(of_scalar!(@ i8, $type => $body)),
+            VtkScalar::U8 => Values::U8(of_scalar!(@ u8, $type => $body)),
+            VtkScalar::I16 => Values::I16(of_scalar!(@ i16, $type => $body)),
+            VtkScalar::U16 => Values::U16(of_scalar!(@ u16, $type => $body)),
+            VtkScalar::I32 => Values::I32(of_scalar!(@ i32, $type => $body)),
+            VtkScalar::U32 => Values::U32(of_scalar!(@ u32, $type => $body)),
+            VtkScalar::I64 => Values::I64(of_scalar!(@ i64, $type => $body)),
+            VtkScalar::U64 => Values::U64(of_scalar!(@ u64, $type => $body)),
+            VtkScalar::F32 => Values::F32(of_scalar!(@ f32, $type => $body)),
+            VtkScalar::F64 => Values::F64(of_scalar!(@ f64, $type => $body)),
         }
     };
     (@ $actual:ident, $type:ident => $body:expr) => {{
@@ -91,7 +91,7 @@ macro_rules! of_scalar {
     }};
 }
 
-impl Scalar {
+impl VtkScalar {
     /// Returns the type with a name of the legacy format.
     pub(super) fn from_legacy(name: &str) -> Option<Self> {
         Some(match name {
@@ -140,7 +140,7 @@ impl Scalar {
 
 impl Values {
     /// Converts bytes; those after the last whole value are ignored.
-    pub(super) fn from_bytes(scalar: Scalar, bytes: &[u8], is_big_endian: bool) -> Self {
+    pub(super) fn from_bytes(scalar: VtkScalar, bytes: &[u8], is_big_endian: bool) -> Self {
         of_scalar!(scalar, T => {
             let (chunks, _) = bytes.as_chunks::<{ size_of::<T>() }>();
             let convert = if is_big_endian { T::from_be_bytes } else { T::from_le_bytes };
@@ -150,7 +150,7 @@ impl Values {
 
     /// Parses words; `next` returns each, and [`None`] after the last.
     pub(super) fn from_words<'a>(
-        scalar: Scalar,
+        scalar: VtkScalar,
         mut next: impl FnMut() -> Option<&'a [u8]>,
     ) -> Result<Self, String> {
         Ok(of_scalar!(scalar, T => {
@@ -200,18 +200,18 @@ impl Values {
     }
 }
 
-fn stringify_type(scalar: Scalar) -> &'static str {
+fn stringify_type(scalar: VtkScalar) -> &'static str {
     match scalar {
-        Scalar::I8 => "Int8",
-        Scalar::U8 => "UInt8",
-        Scalar::I16 => "Int16",
-        Scalar::U16 => "UInt16",
-        Scalar::I32 => "Int32",
-        Scalar::U32 => "UInt32",
-        Scalar::I64 => "Int64",
-        Scalar::U64 => "UInt64",
-        Scalar::F32 => "Float32",
-        Scalar::F64 => "Float64",
+        VtkScalar::I8 => "Int8",
+        VtkScalar::U8 => "UInt8",
+        VtkScalar::I16 => "Int16",
+        VtkScalar::U16 => "UInt16",
+        VtkScalar::I32 => "Int32",
+        VtkScalar::U32 => "UInt32",
+        VtkScalar::I64 => "Int64",
+        VtkScalar::U64 => "UInt64",
+        VtkScalar::F32 => "Float32",
+        VtkScalar::F64 => "Float64",
     }
 }
 

@@ -16,12 +16,12 @@ pub(super) struct Storage {
     pub is_big_endian: bool,
     /// Whether the numbers of headers have 8 bytes.
     pub has_long_headers: bool,
-    pub compression: Option<Compression>,
+    pub compression: Option<BlockCompression>,
 }
 
 /// Compression of the blocks of arrays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Compression {
+pub(super) enum BlockCompression {
     Zlib,
     Lz4,
 }
@@ -30,7 +30,7 @@ pub(super) enum Compression {
 const MAX_RATIO: u64 = 1032;
 
 /// Bytes of a file that are read from front to back.
-pub(super) enum Bytes<'a> {
+pub(super) enum VtkBytes<'a> {
     Raw(&'a [u8]),
     Base64(Base64<'a>),
 }
@@ -42,7 +42,7 @@ pub(super) struct Base64<'a> {
     pending: Vec<u8>,
 }
 
-impl<'a> Bytes<'a> {
+impl<'a> VtkBytes<'a> {
     pub(super) fn base64(text: &'a [u8]) -> Self {
         Self::Base64(Base64 { text, pending: Vec::new() })
     }
@@ -117,9 +117,9 @@ impl Base64<'_> {
 
 impl Storage {
     /// Reads the bytes of an array.
-    pub(super) fn read(self, mut bytes: Bytes<'_>) -> Result<Vec<u8>, String> {
+    pub(super) fn read(self, mut bytes: VtkBytes<'_>) -> Result<Vec<u8>, String> {
         let number_bytes = if self.has_long_headers { 8 } else { 4 };
-        let number = |bytes: &mut Bytes<'_>| -> Result<u64, String> {
+        let number = |bytes: &mut VtkBytes<'_>| -> Result<u64, String> {
             let taken = bytes.take(number_bytes)?;
             let digits: &mut dyn Iterator<Item = &u8> =
                 if self.is_big_endian { &mut taken.iter() } else { &mut taken.iter().rev() };
@@ -150,19 +150,19 @@ impl Storage {
 }
 
 fn unpack(
-    compression: Compression,
+    compression: BlockCompression,
     packed: &[u8],
     unpacked_bytes: u64,
     out: &mut Vec<u8>,
 ) -> Result<(), String> {
     let before = out.len();
     match compression {
-        Compression::Zlib => {
+        BlockCompression::Zlib => {
             let decoder = flate2::read::ZlibDecoder::new(packed);
             let read = decoder.take(unpacked_bytes).read_to_end(out);
             read.map_err(|error| format!("the zlib data are damaged: {error}"))?;
         }
-        Compression::Lz4 => {
+        BlockCompression::Lz4 => {
             // The check of the ratio has limited the size.
             let block = lz4_flex::block::decompress(packed, unpacked_bytes as usize);
             out.extend(block.map_err(|error| format!("the LZ4 data are damaged: {error}"))?);
@@ -184,10 +184,10 @@ mod tests {
         let plain = Storage::default();
         // The header `5 0 0 0` and the bytes `hello`, in one text and in two.
         for text in ["BQAAAGhlbGxv", "BQAAAA==aGVsbG8=", " BQAA AGhl\nbGxv"] {
-            assert_eq!(plain.read(Bytes::base64(text.as_bytes())), Ok(b"hello".to_vec()), "{text}");
+            assert_eq!(plain.read(VtkBytes::base64(text.as_bytes())), Ok(b"hello".to_vec()), "{text}");
         }
         for text in ["", "BQAAAGhlbG", "BQAA=AGh", "BQAAAGhl*Gxv", "/////2hlbGxv"] {
-            assert!(plain.read(Bytes::base64(text.as_bytes())).is_err(), "{text}");
+            assert!(plain.read(VtkBytes::base64(text.as_bytes())).is_err(), "{text}");
         }
     }
 
@@ -204,8 +204,8 @@ mod tests {
             bytes
         };
         let storage =
-            Storage { is_big_endian: true, compression: Some(Compression::Zlib), ..Storage::default() };
-        let read = |numbers| storage.read(Bytes::Raw(&with_header(numbers)));
+            Storage { is_big_endian: true, compression: Some(BlockCompression::Zlib), ..Storage::default() };
+        let read = |numbers| storage.read(VtkBytes::Raw(&with_header(numbers)));
         assert_eq!(read([1, 100, 0]), Ok(vec![7; 100]));
         assert_eq!(read([1, 4096, 100]), Ok(vec![7; 100]));
         assert!(read([1, 101, 0]).is_err() && read([1, u32::MAX, 0]).is_err());

@@ -25,7 +25,7 @@ pub(super) struct Cells {
 
 /// Triangles of cells.
 #[derive(Debug, Default)]
-pub(super) struct Surface {
+pub(super) struct CellSurface {
     pub triangles: Vec<[u32; 3]>,
     /// Cell of each triangle.
     pub cells: Vec<u32>,
@@ -86,8 +86,8 @@ impl Cells {
     }
 
     /// Returns the triangles of all cells.
-    pub(super) fn surface(&self) -> Surface {
-        let mut surface = Surface::default();
+    pub(super) fn surface(&self) -> CellSurface {
+        let mut surface = CellSurface::default();
         let mut start = 0;
         for (cell, (&kind, &end)) in self.kinds.iter().zip(&self.ends).enumerate() {
             surface.add(kind, &self.corners[start..end]);
@@ -99,7 +99,7 @@ impl Cells {
     }
 }
 
-impl Surface {
+impl CellSurface {
     /// Adds the triangles of a cell, or counts it.
     fn add(&mut self, kind: u8, p: &[u32]) {
         let what = match kind {
@@ -174,7 +174,7 @@ impl Surface {
 mod tests {
     use super::*;
 
-    fn surface_of(kind: u8, count: u32) -> Surface {
+    fn surface_of(kind: u8, count: u32) -> CellSurface {
         let points: Vec<i64> = (0..i64::from(count)).collect();
         let mut cells = Cells::default();
         cells.push(kind, &points, (0, points.len())).unwrap();

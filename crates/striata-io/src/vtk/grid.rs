@@ -5,14 +5,14 @@ use std::collections::BTreeMap;
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 
 use super::array::{Array, Role, Values, layer_data};
-use super::cells::{Cells, Surface, VOLUMES};
+use super::cells::{CellSurface, Cells, VOLUMES};
 use crate::error::{Fault, Place};
 use crate::foreign::EXTRACT_SURFACE;
 use crate::report::Warnings;
 
 /// Points, cells and data of a file, over all its pieces.
 #[derive(Debug, Default)]
-pub(super) struct Grid {
+pub(super) struct VtkGrid {
     /// Three coordinates of each point.
     points: Option<Values>,
     pub cells: Cells,
@@ -25,7 +25,7 @@ const MAX_COMPONENTS: usize = 255;
 /// Most layers that are kept, since each is compared with the others.
 const MAX_LAYERS: usize = 1000;
 
-impl Grid {
+impl VtkGrid {
     pub(super) fn point_count(&self) -> usize {
         self.points.as_ref().map_or(0, |points| points.len() / 3)
     }
@@ -102,7 +102,7 @@ impl Grid {
 }
 
 /// Warns of cells that are not part of the surface.
-fn report_cells(surface: &Surface, warnings: &mut Warnings) -> Result<(), Fault> {
+fn report_cells(surface: &CellSurface, warnings: &mut Warnings) -> Result<(), Fault> {
     if surface.triangles.is_empty() && surface.left_out.contains_key(VOLUMES) {
         return Err(Fault::NeedsConversion {
             found: format!(

@@ -1,8 +1,8 @@
 //! Legacy files: keywords as text, values as text or as big-endian bytes.
 
-use super::array::{Array, Role, Scalar, Values};
+use super::array::{Array, Role, Values, VtkScalar};
 use super::cells::{LINES, POINTS, POLYGON, STRIP};
-use super::grid::Grid;
+use super::grid::VtkGrid;
 use crate::error::{Fault, Place};
 use crate::foreign::EXTRACT_SURFACE;
 use crate::report::Warnings;
@@ -17,7 +17,7 @@ struct LegacyReader<'a, 'w> {
     is_binary: bool,
     /// Whether cells are listed as offsets and connectivity, since version 5.
     has_offsets: bool,
-    grid: Grid,
+    grid: VtkGrid,
     /// Cells of an unstructured grid, until their types are known.
     untyped: Option<CellList>,
     /// Cells of poly data, by type, since their order in the file is free.
@@ -46,7 +46,7 @@ enum LegacySection {
 const POLY_KINDS: [u8; 4] = [POINTS, LINES, POLYGON, STRIP];
 
 /// Reads the points, cells and data of a file.
-pub(super) fn read(bytes: &[u8], warnings: &mut Warnings) -> Result<Grid, Fault> {
+pub(super) fn read(bytes: &[u8], warnings: &mut Warnings) -> Result<VtkGrid, Fault> {
     let mut cursor = Cursor::new(bytes);
     let version = cursor.rest_of_line();
     let Some(version) = version.strip_prefix(MAGIC) else {
@@ -68,7 +68,7 @@ pub(super) fn read(bytes: &[u8], warnings: &mut Warnings) -> Result<Grid, Fault>
         cursor,
         is_binary,
         has_offsets,
-        grid: Grid::default(),
+        grid: VtkGrid::default(),
         untyped: None,
         poly_cells: Default::default(),
         section: LegacySection::File,
@@ -201,7 +201,7 @@ impl<'a> LegacyReader<'a, '_> {
             ends.drain(..ends.len().min(1));
             return Ok(CellList { connectivity, ends, place });
         }
-        let entries = self.raw_values(Scalar::I32, size)?.integers();
+        let entries = self.raw_values(VtkScalar::I32, size)?.integers();
         let mut rest = entries.as_slice();
         let mut list = CellList { connectivity: Vec::with_capacity(entries.len()), ends: Vec::new(), place };
         for number in 0..count {
@@ -234,7 +234,7 @@ impl<'a> LegacyReader<'a, '_> {
     fn cell_types(&mut self) -> Result<(), Fault> {
         let count = self.count("cells")?;
         let place = self.place();
-        let kinds = self.values(Scalar::I32, count, 1)?.integers();
+        let kinds = self.values(VtkScalar::I32, count, 1)?.integers();
         let cell_count = self.untyped.as_ref().map_or(0, |cells| cells.ends.len());
         if cell_count != kinds.len() {
             let reason = format!("{} types for {cell_count} cells", kinds.len());
@@ -271,9 +271,9 @@ impl<'a> LegacyReader<'a, '_> {
         let count = self.tuple_count(None);
         if self.is_binary {
             self.cursor.next_line();
-            return self.array((name, Role::Other), Ok(Scalar::U8), component_count, None);
+            return self.array((name, Role::Other), Ok(VtkScalar::U8), component_count, None);
         }
-        let fractions = self.values(Scalar::F32, count, component_count)?.floats();
+        let fractions = self.values(VtkScalar::F32, count, component_count)?.floats();
         let values = Values::U8(fractions.into_iter().map(|x| (x * 255.0).round() as u8).collect());
         self.keep(Array { name, role: Role::Other, component_count, values });
         Ok(())
@@ -283,7 +283,7 @@ impl<'a> LegacyReader<'a, '_> {
     fn lookup_table(&mut self) -> Result<(), Fault> {
         let name = self.name();
         let count = self.count("colors")?;
-        let scalar = if self.is_binary { Scalar::U8 } else { Scalar::F32 };
+        let scalar = if self.is_binary { VtkScalar::U8 } else { VtkScalar::F32 };
         self.values(scalar, count, 4)?;
         self.warnings.push(self.place(), format!("the color table `{name}` is left out"));
         Ok(())
@@ -335,7 +335,7 @@ impl<'a> LegacyReader<'a, '_> {
     fn array(
         &mut self,
         (name, role): (String, Role),
-        scalar: Result<Scalar, Other>,
+        scalar: Result<VtkScalar, Other>,
         component_count: usize,
         tuple_count: Option<usize>,
     ) -> Result<(), Fault> {
@@ -387,7 +387,7 @@ impl<'a> LegacyReader<'a, '_> {
         count.ok_or_else(|| self.fault(format!("expected the number of {what}, found {}", quoted(word))))
     }
 
-    fn scalar(&mut self) -> Result<Scalar, Fault> {
+    fn scalar(&mut self) -> Result<VtkScalar, Fault> {
         let scalar = self.scalar_or_other()?;
         scalar.map_err(|other| {
             self.fault(format!("expected the name of a type of numbers, found {}", other.name()))
@@ -395,10 +395,10 @@ impl<'a> LegacyReader<'a, '_> {
     }
 
     /// Reads the name of a type, which may be one whose values are not kept.
-    fn scalar_or_other(&mut self) -> Result<Result<Scalar, Other>, Fault> {
+    fn scalar_or_other(&mut self) -> Result<Result<VtkScalar, Other>, Fault> {
         let word = self.cursor.word();
         let name = String::from_utf8_lossy(word).to_ascii_lowercase();
-        match (Scalar::from_legacy(&name), name.as_str()) {
+        match (VtkScalar::from_legacy(&name), name.as_str()) {
             (Some(scalar), _) => Ok(Ok(scalar)),
             (None, "bit") => Ok(Err(Other::Bits)),
             (None, "string" | "utf8_string") => Ok(Err(Other::Strings)),
@@ -409,7 +409,7 @@ impl<'a> LegacyReader<'a, '_> {
     }
 
     /// Reads the values after the line with their type.
-    fn values(&mut self, scalar: Scalar, count: usize, component_count: usize) -> Result<Values, Fault> {
+    fn values(&mut self, scalar: VtkScalar, count: usize, component_count: usize) -> Result<Values, Fault> {
         self.cursor.next_line();
         match count.checked_mul(component_count) {
             Some(count) => self.raw_values(scalar, count),
@@ -418,7 +418,7 @@ impl<'a> LegacyReader<'a, '_> {
     }
 
     /// Reads values that begin here.
-    fn raw_values(&mut self, scalar: Scalar, count: usize) -> Result<Values, Fault> {
+    fn raw_values(&mut self, scalar: VtkScalar, count: usize) -> Result<Values, Fault> {
         let bytes_left = self.cursor.bytes_left();
         // Each value of a text takes a digit and a blank, except for the last.
         let least_bytes =
@@ -452,7 +452,7 @@ impl<'a> LegacyReader<'a, '_> {
                 self.cursor.take_bytes(bytes);
             }
             (Other::Bits, false) => {
-                self.raw_values(Scalar::U8, count)?;
+                self.raw_values(VtkScalar::U8, count)?;
             }
             (Other::Strings, false) => {
                 for _ in 0..count.min(self.cursor.bytes_left()) {
@@ -490,7 +490,7 @@ impl<'a> LegacyReader<'a, '_> {
     }
 
     /// Returns the grid with the cells of all lists.
-    fn finish(mut self) -> Result<Grid, Fault> {
+    fn finish(mut self) -> Result<VtkGrid, Fault> {
         if self.untyped.take().is_some_and(|cells| !cells.ends.is_empty()) {
             return Err(Fault::Malformed(Place::File, "`CELL_TYPES` is missing".to_owned()));
         }

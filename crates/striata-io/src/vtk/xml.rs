@@ -5,10 +5,10 @@
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::{Reader, XmlVersion};
 
-use super::array::{Array, Role, Scalar, Values};
-use super::blocks::{Bytes, Compression, Storage};
+use super::array::{Array, Role, Values, VtkScalar};
+use super::blocks::{BlockCompression, Storage, VtkBytes};
 use super::cells::{LINES, POINTS, POLYGON, STRIP};
-use super::grid::Grid;
+use super::grid::VtkGrid;
 use crate::error::{Fault, Place};
 use crate::report::Warnings;
 
@@ -25,7 +25,7 @@ struct XmlReader<'a, 'w> {
     storage: Storage,
     /// Bytes after the underscore of the appended data, and whether they are base64.
     appended: Option<(&'a [u8], bool)>,
-    grid: Grid,
+    grid: VtkGrid,
     piece: PieceArrays,
     piece_count: usize,
     warnings: &'w mut Warnings,
@@ -45,7 +45,7 @@ struct PieceArrays {
 }
 
 /// Reads the points, cells and data of a file.
-pub(super) fn read(bytes: &[u8], warnings: &mut Warnings) -> Result<Grid, Fault> {
+pub(super) fn read(bytes: &[u8], warnings: &mut Warnings) -> Result<VtkGrid, Fault> {
     let start = bytes.windows(APPENDED.len()).position(|window| window == APPENDED);
     let (head, appended) = match start {
         Some(start) => (&bytes[..start], Some(appended_data(bytes, start)?)),
@@ -55,7 +55,7 @@ pub(super) fn read(bytes: &[u8], warnings: &mut Warnings) -> Result<Grid, Fault>
         bytes: head,
         storage: Storage::default(),
         appended,
-        grid: Grid::default(),
+        grid: VtkGrid::default(),
         piece: PieceArrays::default(),
         piece_count: 0,
         warnings,
@@ -158,8 +158,8 @@ impl<'a> XmlReader<'a, '_> {
     fn storage_of(&self, start: &BytesStart<'_>, at: usize) -> Result<Storage, Fault> {
         let compression = match attribute(start, "compressor").as_deref() {
             None | Some("") => None,
-            Some("vtkZLibDataCompressor") => Some(Compression::Zlib),
-            Some("vtkLZ4DataCompressor") => Some(Compression::Lz4),
+            Some("vtkZLibDataCompressor") => Some(BlockCompression::Zlib),
+            Some("vtkLZ4DataCompressor") => Some(BlockCompression::Lz4),
             Some(other) => {
                 let what = format!("the compression {}", shortened(other));
                 return Err(Fault::Unsupported(self.line_of(at), what));
@@ -186,7 +186,7 @@ impl<'a> XmlReader<'a, '_> {
             self.warnings.push(self.line_of(at), reason);
             return Ok(());
         }
-        let Some(scalar) = Scalar::from_xml(&type_name) else {
+        let Some(scalar) = VtkScalar::from_xml(&type_name) else {
             if is_cells || section == "Points" {
                 return Err(
                     self.fault(at, format!("expected numbers, found the type {}", shortened(&type_name)))
@@ -218,7 +218,7 @@ impl<'a> XmlReader<'a, '_> {
     }
 
     /// Reads the values of an array whose tag ends at byte `end`.
-    fn values(&self, start: &BytesStart<'_>, scalar: Scalar, end: usize) -> Result<Values, String> {
+    fn values(&self, start: &BytesStart<'_>, scalar: VtkScalar, end: usize) -> Result<Values, String> {
         let text = || {
             let text = &self.bytes[end..];
             &text[..text.iter().position(|&byte| byte == b'<').unwrap_or(text.len())]
@@ -231,14 +231,14 @@ impl<'a> XmlReader<'a, '_> {
             Some("binary") if text().trim_ascii().is_empty() => {
                 return Ok(Values::from_bytes(scalar, &[], false));
             }
-            Some("binary") => self.storage.read(Bytes::base64(text()))?,
+            Some("binary") => self.storage.read(VtkBytes::base64(text()))?,
             Some("appended") => {
                 let (appended, is_base64) = self.appended.ok_or("there are no appended data")?;
                 let offset = attribute(start, "offset").and_then(|text| text.trim().parse().ok());
                 let offset: usize = offset.ok_or("expected an offset in the appended data")?;
                 let bytes = appended.get(offset..);
                 let bytes = bytes.ok_or_else(|| format!("the offset {offset} lies outside the file"))?;
-                self.storage.read(if is_base64 { Bytes::base64(bytes) } else { Bytes::Raw(bytes) })?
+                self.storage.read(if is_base64 { VtkBytes::base64(bytes) } else { VtkBytes::Raw(bytes) })?
             }
             Some(other) => return Err(format!("unknown format {}", shortened(other))),
         };

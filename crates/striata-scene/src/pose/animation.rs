@@ -12,7 +12,7 @@ use crate::document::entries;
 
 /// Property of a node that a channel changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Property {
+pub(super) enum ChannelProperty {
     Translation,
     Rotation,
     Scale,
@@ -30,7 +30,7 @@ enum Interpolation {
 #[derive(Clone, Debug)]
 pub(super) struct Channel {
     pub node: usize,
-    pub property: Property,
+    pub property: ChannelProperty,
     interpolation: Interpolation,
     /// Seconds, ascending.
     times: Arc<[f32]>,
@@ -64,10 +64,10 @@ impl Animation {
                 .and_then(|node| Some((node, *target_counts.get(node)?)));
             let sampler = channel.get("sampler").and_then(index).and_then(|sampler| samplers.get(sampler));
             let property = match channel.pointer("/target/path").and_then(Value::as_str) {
-                Some("translation") => Property::Translation,
-                Some("rotation") => Property::Rotation,
-                Some("scale") => Property::Scale,
-                Some("weights") => Property::MorphWeights,
+                Some("translation") => ChannelProperty::Translation,
+                Some("rotation") => ChannelProperty::Rotation,
+                Some("scale") => ChannelProperty::Scale,
+                Some("weights") => ChannelProperty::MorphWeights,
                 _ => continue,
             };
             if let (Some((node, target_count)), Some(sampler)) = (node, sampler) {
@@ -90,7 +90,7 @@ impl Channel {
     fn read(
         sampler: &Value,
         accessors: &mut AccessorNumbers<'_>,
-        (node, property, target_count): (usize, Property, usize),
+        (node, property, target_count): (usize, ChannelProperty, usize),
     ) -> Result<Option<Self>, SceneError> {
         let accessor = |key| sampler.get(key).and_then(Value::as_u64);
         let (Some(input), Some(output)) = (accessor("input"), accessor("output")) else { return Ok(None) };
@@ -103,15 +103,15 @@ impl Channel {
         };
         let per_key = if interpolation == Interpolation::CubicSpline { 3 } else { 1 };
         let width = match property {
-            Property::Translation | Property::Scale => 3,
-            Property::Rotation => 4,
-            Property::MorphWeights => values.len() / (times.len() * per_key).max(1),
+            ChannelProperty::Translation | ChannelProperty::Scale => 3,
+            ChannelProperty::Rotation => 4,
+            ChannelProperty::MorphWeights => values.len() / (times.len() * per_key).max(1),
         };
         let is_enough = values.len() >= times.len() * per_key * width;
         if times.is_empty() || width == 0 || !is_enough {
             return Ok(None);
         }
-        let used = if property == Property::MorphWeights { width.min(target_count) } else { width };
+        let used = if property == ChannelProperty::MorphWeights { width.min(target_count) } else { width };
         Ok(Some(Self { node, property, interpolation, times, values, width, used }))
     }
 
@@ -127,7 +127,7 @@ impl Channel {
         let share = if duration > 0.0 { (f64::from(time) - f64::from(before)) / duration } else { 0.0 };
         match self.interpolation {
             Interpolation::Step => self.key(next - 1).collect(),
-            Interpolation::Linear if self.property == Property::Rotation => {
+            Interpolation::Linear if self.property == ChannelProperty::Rotation => {
                 let rotation = |key| {
                     let mut q = [0.0; 4];
                     q.iter_mut().zip(self.key(key)).for_each(|(slot, x)| *slot = x);

@@ -16,7 +16,7 @@ use serde_json::Value;
 use striata::mesh::{IndexedMesh, Semantic};
 use striata_io::{Scene, SceneError, SceneInstance};
 
-use self::animation::{Animation, Property};
+use self::animation::{Animation, ChannelProperty};
 use self::numbers::{AccessorNumbers, index, transformed};
 use self::skin::Skin;
 pub(crate) use self::skin::VertexJoints;
@@ -115,14 +115,16 @@ impl Poser {
             let (local, weights) = &mut locals[channel.node];
             let value = channel.value(time);
             match (channel.property, local, &value[..]) {
-                (Property::Translation, Local::Parts { translation, .. }, &[x, y, z]) => {
+                (ChannelProperty::Translation, Local::Parts { translation, .. }, &[x, y, z]) => {
                     *translation = DVec3::new(x, y, z);
                 }
-                (Property::Rotation, Local::Parts { rotation, .. }, &[x, y, z, w]) => {
+                (ChannelProperty::Rotation, Local::Parts { rotation, .. }, &[x, y, z, w]) => {
                     *rotation = DQuat::from_xyzw(x, y, z, w).normalize();
                 }
-                (Property::Scale, Local::Parts { scale, .. }, &[x, y, z]) => *scale = DVec3::new(x, y, z),
-                (Property::MorphWeights, _, value) => {
+                (ChannelProperty::Scale, Local::Parts { scale, .. }, &[x, y, z]) => {
+                    *scale = DVec3::new(x, y, z)
+                }
+                (ChannelProperty::MorphWeights, _, value) => {
                     *weights = value.iter().map(|&w| w as f32).collect();
                 }
                 _ => {}

@@ -17,7 +17,7 @@ use striata::{Level, Lod, Target, View};
 use striata_io::SceneInstance;
 
 use crate::drawn::DrawnInstance;
-use crate::place::{self, Place, sphere_around};
+use crate::place::{self, PlacedSphere, sphere_around};
 use crate::{LodScene, SceneLevel};
 
 /// Most instances with views of their own: each needs memory for its state and its indices.
@@ -149,7 +149,7 @@ impl SceneView {
     }
 
     fn refine(&mut self, error: &ScreenError, drawn: &[DrawnInstance]) {
-        let mut places: Vec<Vec<Place>> = vec![Vec::new(); self.meshes.len()];
+        let mut places: Vec<Vec<PlacedSphere>> = vec![Vec::new(); self.meshes.len()];
         for (instance, drawn) in self.instances.iter_mut().zip(drawn) {
             if instance.is_hidden {
                 continue;
@@ -163,7 +163,7 @@ impl SceneView {
             match inside {
                 Some(inside) => instance.refine(lod, inside),
                 None => {
-                    let of_instance = Place::of(drawn, &mesh.sphere).into_iter();
+                    let of_instance = PlacedSphere::of(drawn, &mesh.sphere).into_iter();
                     let important = of_instance.map(|place| place.with_importance(instance.importance));
                     places[instance.mesh].extend(important);
                 }

@@ -8,7 +8,7 @@
 //! whole-run features are running sums, cheap enough to evaluate how well any vertex could split.
 
 use super::patch::{self, Patch};
-use super::ring::{Ring, Spoke};
+use super::ring::{Ring, RingSpoke};
 use super::softmax::{Candidates, ChoiceModel, SCORE_ONE, exponential, log_sum};
 use crate::entropy::Coder;
 
@@ -280,7 +280,7 @@ fn adjust(weight: &mut i32, gradient: i32, rate: i32) {
     *weight = (*weight + ((gradient * rate) >> 14)).clamp(-8 * SCORE_ONE, 8 * SCORE_ONE);
 }
 
-fn edge_keys(spoke: &Spoke, ring: &Ring, height: i32) -> [u8; 4] {
+fn edge_keys(spoke: &RingSpoke, ring: &Ring, height: i32) -> [u8; 4] {
     let length = if spoke.is_virtual {
         16
     } else {
@@ -296,7 +296,7 @@ fn edge_keys(spoke: &Spoke, ring: &Ring, height: i32) -> [u8; 4] {
     .map(|key| key as u8)
 }
 
-fn triangle_keys(spoke: &Spoke, ring: &Ring) -> [u8; 2] {
+fn triangle_keys(spoke: &RingSpoke, ring: &Ring) -> [u8; 2] {
     if spoke.area == 0 {
         return [AREAS as u8 - 1, (AREAS + ANGLES - 1) as u8];
     }

@@ -1,6 +1,6 @@
 //! Gathers the ring of a vertex: its neighbors, their state and history, and their positions.
 
-use super::ring::{Ring, Spoke, mean};
+use super::ring::{Ring, RingSpoke, mean};
 use super::split_context::SplitContext;
 use super::vertex_history::VertexHistories;
 use crate::refine::walk::VisitState;
@@ -25,7 +25,7 @@ impl Ring {
             let vertex = split_context.surface.vertex(next(corner));
             let is_claimed = split_context.is_claimed(triangle_of(corner));
             self.free += usize::from(!is_claimed);
-            let mut spoke = Spoke { vertex, is_claimed, ..Spoke::default() };
+            let mut spoke = RingSpoke { vertex, is_claimed, ..RingSpoke::default() };
             if split_context.surface.is_virtual(vertex) {
                 (spoke.is_virtual, spoke.state, spoke.age, spoke.valence) = (true, 1, 3, 9);
             } else {

@@ -1,6 +1,6 @@
 //! Features of a run of triangles as a whole.
 
-use super::ring::{Ring, Spoke, cross, dot, dot_wide, log2_wide};
+use super::ring::{Ring, RingSpoke, cross, dot, dot_wide, log2_wide};
 
 /// Number of features of a run.
 pub(super) const FEATURES: usize = 6;
@@ -100,7 +100,7 @@ impl Patch {
     }
 
     /// Returns the angle between the end edges, in steps of about 11 degrees, up to 360 degrees.
-    fn width(&self, first: &Spoke, end: &Spoke) -> i32 {
+    fn width(&self, first: &RingSpoke, end: &RingSpoke) -> i32 {
         const COSINES: [i32; 7] = [-20, -52, -106, -192, -326, -550, -1000];
         let cosine = dot(first.step, end.step);
         let square = 2 * log2_wide(cosine.unsigned_abs().into()) - first.length - end.length;

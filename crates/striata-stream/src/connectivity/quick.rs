@@ -11,12 +11,12 @@
 
 use super::chain_cuts::{ChainCuts, Edges};
 use super::learned_cuts::{LearnedCuts, Spoke as LearnedSpoke};
-use super::ranked_cuts::{self, Edge, RankedCuts};
+use super::ranked_cuts::{self, RankedCuts, RankedEdge};
 use super::split_context::SplitContext;
 use crate::entropy::{AdaptiveBit, Coder, Rate};
 use crate::format::effort::Effort;
 use crate::positions::Surroundings;
-use crate::refine::walk::Walk;
+use crate::refine::walk::BatchWalk;
 use crate::topology::rings::{Neighbor, Rings};
 use crate::topology::surface::{Cut, Surface, triangle_of};
 
@@ -133,7 +133,7 @@ impl QuickModel {
     pub(crate) fn flags<C: Coder>(
         &mut self,
         coder: &mut C,
-        walk: &mut Walk,
+        walk: &mut BatchWalk,
         max_splits: usize,
         does_split: impl Fn(u32) -> bool,
     ) -> bool {
@@ -221,11 +221,11 @@ impl QuickModel {
     ) -> Option<(usize, usize)> {
         let ring = self.rings.of(split);
         let kept = split_context.grid_points[self.splits[split] as usize];
-        let mut edges = [Edge::default(); ranked_cuts::MAX_RING];
+        let mut edges = [RankedEdge::default(); ranked_cuts::MAX_RING];
         for ((edge, &corner), neighbor) in edges.iter_mut().zip(ring).zip(self.rings.neighbors(split)) {
             let is_virtual = split_context.surface.is_virtual(neighbor.vertex);
             let square = (0..3).map(|a| i64::from(neighbor.grid_point[a] - kept[a]).pow(2)).sum::<i64>();
-            *edge = Edge {
+            *edge = RankedEdge {
                 square: if is_virtual { 0 } else { square },
                 missing_triangles: if is_virtual {
                     0

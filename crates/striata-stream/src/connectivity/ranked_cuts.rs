@@ -13,7 +13,7 @@ const LAST_SHIFT: u32 = 7;
 
 /// An edge from the split vertex, and the triangle counterclockwise of it.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Edge {
+pub(crate) struct RankedEdge {
     /// Squared length.
     pub square: i64,
     /// Six minus the number of triangles around its far end; 0 if that is virtual.
@@ -48,7 +48,7 @@ impl RankedCuts {
     pub(crate) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
-        edges: &[Edge],
+        edges: &[RankedEdge],
         max_length: usize,
         actual: (usize, usize),
     ) -> Option<(usize, usize)> {
@@ -84,7 +84,7 @@ impl RankedCuts {
 }
 
 /// Returns bit masks of the free triangles, and of the edges whose far ends are virtual.
-fn masks(edges: &[Edge]) -> [u32; 2] {
+fn masks(edges: &[RankedEdge]) -> [u32; 2] {
     edges.iter().enumerate().fold([0, 0], |[free, open], (at, edge)| {
         [free | u32::from(edge.is_free) << at, open | u32::from(edge.is_virtual) << at]
     })
@@ -104,7 +104,7 @@ fn free_starts(n: usize, [free, open]: [u32; 2], length: usize) -> u32 {
 
 /// Returns the score of the run that starts at each edge.
 #[inline]
-fn scores(edges: &[Edge], length: usize) -> [i64; MAX_RING] {
+fn scores(edges: &[RankedEdge], length: usize) -> [i64; MAX_RING] {
     let n = edges.len();
     let wrap = |at: usize| if at < n { at } else { at - n };
     let sum: i64 = edges.iter().map(|edge| edge.square).sum();
@@ -155,8 +155,8 @@ mod tests {
     use super::*;
     use crate::entropy::{RangeReader, RangeWriter};
 
-    fn random_edges(random: &mut Random) -> Vec<Edge> {
-        let edge = |random: &mut Random| Edge {
+    fn random_edges(random: &mut Random) -> Vec<RankedEdge> {
+        let edge = |random: &mut Random| RankedEdge {
             square: i64::from(random.below(1000)) << (10 * random.below(5)),
             missing_triangles: random.below(9) as i8 - 4,
             is_virtual: random.below(12) == 0,
@@ -166,7 +166,7 @@ mod tests {
     }
 
     /// Whether a run can move to a new vertex, checked edge by edge.
-    fn is_free(edges: &[Edge], start: usize, length: usize) -> bool {
+    fn is_free(edges: &[RankedEdge], start: usize, length: usize) -> bool {
         let n = edges.len();
         (0..length)
             .all(|at| edges[(start + at) % n].is_free && (at == 0 || !edges[(start + at) % n].is_virtual))
@@ -186,7 +186,7 @@ mod tests {
                     assert_eq!(starts >> start & 1 != 0, is_free(&edges, start, length));
                     let inner: i64 = (1..length).map(|at| edges[(start + at) % n].square).sum();
                     let ends = [start, (start + length) % n].map(|at| edges[at]);
-                    let of_end = |edge: Edge| {
+                    let of_end = |edge: RankedEdge| {
                         2.0 * edge.square as f64 + 1.5 * unit * f64::from(edge.missing_triangles)
                     };
                     let expected = 4.0 * inner as f64 + ends.map(of_end).iter().sum::<f64>();

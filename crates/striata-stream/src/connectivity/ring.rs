@@ -8,7 +8,7 @@ use crate::entropy::log2_q8;
 
 /// An edge from the vertex, and the triangle counterclockwise of it.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Spoke {
+pub(super) struct RingSpoke {
     /// Far end of the edge.
     pub vertex: u32,
     /// Whether the far end is virtual, which closes a boundary loop.
@@ -42,7 +42,7 @@ pub(super) struct Spoke {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Ring {
     /// Edges and triangles, counterclockwise.
-    pub spokes: Vec<Spoke>,
+    pub spokes: Vec<RingSpoke>,
     /// Number of neighbors in each state.
     pub states: [usize; 4],
     /// Number of neighbors created in the previous batch.
@@ -184,7 +184,7 @@ mod tests {
     use super::super::tests::surface_of;
     use super::super::vertex_history::VertexHistories;
     use super::*;
-    use crate::refine::walk::Walk;
+    use crate::refine::walk::BatchWalk;
     use crate::topology::surface::triangle_of;
 
     #[test]
@@ -198,7 +198,7 @@ mod tests {
         let hexagon = [[2 * x, 0], [x, y], [-x, y], [-2 * x, 0], [-x, -y], [x, -y]];
         let grid_points: Vec<[i32; 3]> =
             [[0; 3], [70, 80, 90]].into_iter().chain(hexagon.map(|[x, y]| [70 + x, 80 + y, 90])).collect();
-        let mut walk = Walk::default();
+        let mut walk = BatchWalk::default();
         walk.begin(&surface);
         let mut history = VertexHistories::default();
         history.begin_batch(&surface);

@@ -1,6 +1,6 @@
 //! [`SplitContext`]: what both sides know when the flag or cut of a vertex is coded.
 
-use crate::refine::walk::Walk;
+use crate::refine::walk::BatchWalk;
 use crate::topology::surface::Surface;
 
 /// Data that both writer and reader have when the flag or cut of a vertex is coded.
@@ -11,7 +11,7 @@ pub(crate) struct SplitContext<'a> {
     /// Grid coordinates of all vertices; meaningless for virtual ones.
     pub grid_points: &'a [[i32; 3]],
     /// Records which vertices of the batch have been visited, and which of these split.
-    pub walk: &'a Walk,
+    pub walk: &'a BatchWalk,
     /// Maximum number of triangles that move to a new vertex.
     pub max_patch: u32,
 }

@@ -4,7 +4,7 @@ use striata::mesh::{IndexedMesh, Random, shapes};
 
 use super::*;
 use crate::entropy::{RangeReader, RangeWriter};
-use crate::refine::walk::Walk;
+use crate::refine::walk::BatchWalk;
 use crate::topology::surface::{Surface, previous};
 
 const MAX_PATCH: u32 = 15;
@@ -13,7 +13,7 @@ const MAX_PATCH: u32 = 15;
 struct TestRefiner {
     surface: Surface,
     grid_points: Vec<[i32; 3]>,
-    walk: Walk,
+    walk: BatchWalk,
     model: ConnectivityModel,
     corners: Vec<u32>,
     visited_count: usize,
@@ -22,7 +22,14 @@ struct TestRefiner {
 impl TestRefiner {
     fn new(surface: Surface, grid_points: Vec<[i32; 3]>) -> Self {
         let model = ConnectivityModel::new();
-        Self { surface, grid_points, walk: Walk::default(), model, corners: Vec::new(), visited_count: 0 }
+        Self {
+            surface,
+            grid_points,
+            walk: BatchWalk::default(),
+            model,
+            corners: Vec::new(),
+            visited_count: 0,
+        }
     }
 
     /// Codes one batch in which `choose` selects the splits. Returns the decoded splits; they are applied

@@ -19,7 +19,7 @@ use crate::format::byte_reader::{ByteReader, put_block, write_varint};
 use crate::format::effort::Effort;
 use crate::format::error::{DecodeError, StreamDefect};
 use crate::format::grid::PositionGrid;
-use crate::layers::form::{LayerForm, Transform};
+use crate::layers::form::{LayerForm, ValueTransform};
 use crate::layers::triangle_data::TriangleData;
 
 /// The version that is written, and the only one that can be read.
@@ -361,7 +361,7 @@ fn read_triangle_data(reader: &mut ByteReader<'_>) -> Result<TriangleData, Decod
     let count = reader.short_count(5)?;
     let forms: Vec<LayerForm> = (0..count).map(|_| LayerForm::read(reader)).collect::<Result<_, _>>()?;
     let number_count = forms.iter().map(LayerForm::integer_count).sum::<usize>();
-    if number_count > MAX_COMPONENTS || forms.iter().any(|form| form.transform != Transform::Exact) {
+    if number_count > MAX_COMPONENTS || forms.iter().any(|form| form.transform != ValueTransform::Exact) {
         return Err(reader.malformed("the data of triangles have too many components, or are not exact"));
     }
     Ok(TriangleData { forms, bytes: reader.varint()?, checksum: reader.u32()? })

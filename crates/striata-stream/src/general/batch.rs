@@ -8,7 +8,7 @@ use crate::entropy::{Coder, Part};
 use crate::format::error::StreamDefect;
 use crate::layers::attributes::{GeneralVertex, RingVertex, actual_layers};
 use crate::refine::refiner::{CodingResult, MeshRefiner};
-use crate::refine::source::{EncoderInput, Source};
+use crate::refine::source::{EncoderInput, StreamSide};
 use crate::topology::cutting::{Closed, close_used};
 use crate::topology::surface::NONE;
 
@@ -17,7 +17,7 @@ impl MeshRefiner {
     pub(crate) fn begin_general<C: Coder>(
         &mut self,
         coder: &mut C,
-        source: &impl Source,
+        source: &impl StreamSide,
     ) -> Result<bool, StreamDefect> {
         let Some(general) = &mut self.models.general else { return Ok(false) };
         coder.part(Part::Connectivity);
@@ -42,7 +42,7 @@ impl MeshRefiner {
     pub(crate) fn continue_general<C: Coder>(
         &mut self,
         coder: &mut C,
-        source: &mut impl Source,
+        source: &mut impl StreamSide,
         max_steps: usize,
     ) -> Result<CodingResult, StreamDefect> {
         for _ in 0..max_steps {
@@ -70,7 +70,7 @@ impl MeshRefiner {
     fn general_step<C: Coder>(
         &mut self,
         coder: &mut C,
-        (source, actual): (&mut impl Source, Option<&ReferenceStep>),
+        (source, actual): (&mut impl StreamSide, Option<&ReferenceStep>),
         (general, step): (&mut GeneralBatches, &mut CodedStep),
     ) -> Result<CodingResult, StreamDefect> {
         let GeneralBatches { model, wedges: wedge_model, complex, grid_points, .. } = general;
@@ -175,7 +175,7 @@ impl MeshRefiner {
     }
 
     /// Rebuilds the surface from the current triangles, and renumbers what models store per vertex.
-    fn rebuild(&mut self, source: &mut impl Source) {
+    fn rebuild(&mut self, source: &mut impl StreamSide) {
         let Some(general) = &mut self.models.general else { return };
         let complex = std::mem::take(&mut general.complex);
         let Closed { mut surface, vertex_of_copy: positions, .. } =

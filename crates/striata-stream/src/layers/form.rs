@@ -66,7 +66,7 @@ impl NumberType {
 
 /// How the numbers of a vertex are converted to integers.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Transform {
+pub(crate) enum ValueTransform {
     /// A unit vector: 3 floats become 2 integers; 4 floats, the last of which is 1 or -1, become 3.
     Octahedral {
         /// Bits of each of the first two integers.
@@ -94,7 +94,7 @@ pub(crate) struct LayerForm {
     /// Data type of the numbers.
     pub number_type: NumberType,
     /// Conversion between numbers and integers.
-    pub transform: Transform,
+    pub transform: ValueTransform,
 }
 
 impl LayerForm {
@@ -103,7 +103,7 @@ impl LayerForm {
         let is_exact = options.lossless || is_kept_double(layer) || layer.has_identifiers();
         let transform = match singles(&layer.data).filter(|_| !is_exact) {
             Some(numbers) => transform_of(&layer.semantic, layer.component_count as usize, &numbers, options),
-            None => identifier_grid(layer, options.lossless).unwrap_or(Transform::Exact),
+            None => identifier_grid(layer, options.lossless).unwrap_or(ValueTransform::Exact),
         };
         let number_type = match NumberType::of(&layer.data) {
             NumberType::F64 if !is_exact => NumberType::F32,
@@ -121,8 +121,8 @@ impl LayerForm {
     /// Number of integers per vertex.
     pub(crate) fn integer_count(&self) -> usize {
         match self.transform {
-            Transform::Octahedral { .. } => self.component_count as usize - 1,
-            Transform::Exact if self.number_type == NumberType::F64 => 2 * self.component_count as usize,
+            ValueTransform::Octahedral { .. } => self.component_count as usize - 1,
+            ValueTransform::Exact if self.number_type == NumberType::F64 => 2 * self.component_count as usize,
             _ => self.component_count as usize,
         }
     }
@@ -137,10 +137,10 @@ impl LayerForm {
             return self.integers(&AttributeLayer { data, semantic: layer.semantic.clone(), ..*layer });
         }
         match (&self.transform, &layer.data) {
-            (Transform::Octahedral { bits }, LayerData::F32(numbers)) => {
+            (ValueTransform::Octahedral { bits }, LayerData::F32(numbers)) => {
                 numbers.chunks_exact(n).flat_map(|v| octahedral_integers(v, *bits)).collect()
             }
-            (Transform::Uniform { axes, bits }, LayerData::F32(numbers)) => {
+            (ValueTransform::Uniform { axes, bits }, LayerData::F32(numbers)) => {
                 let limit = ((1u32 << bits) - 1) as i32;
                 numbers
                     .chunks_exact(n)
@@ -172,13 +172,13 @@ impl LayerForm {
     /// maps to are replaced by the nearest valid number.
     pub(crate) fn append(&self, integers: &[i32], out: &mut LayerData) {
         match (&self.transform, out) {
-            (Transform::Octahedral { bits }, LayerData::F32(out)) => {
+            (ValueTransform::Octahedral { bits }, LayerData::F32(out)) => {
                 for vertex in integers.chunks_exact(self.integer_count()) {
                     out.extend(octahedral::decode([vertex[0], vertex[1]].map(clamped_i16), *bits));
                     out.extend(vertex.get(2).map(|&sign| if sign < 0 { -1.0 } else { 1.0 }));
                 }
             }
-            (Transform::Uniform { axes, .. }, LayerData::F32(out)) => {
+            (ValueTransform::Uniform { axes, .. }, LayerData::F32(out)) => {
                 let vertices = integers.chunks_exact(axes.len());
                 out.extend(vertices.flat_map(|v| v.iter().zip(axes).map(|(&q, axis)| axis.position(q))));
             }
@@ -202,7 +202,7 @@ fn is_kept_double(layer: &AttributeLayer) -> bool {
 
 /// Returns a grid with a step of 1 that keeps the identifiers of a layer of floats; `None` if the layer has
 /// other values, or if they span too much.
-fn identifier_grid(layer: &AttributeLayer, is_lossless: bool) -> Option<Transform> {
+fn identifier_grid(layer: &AttributeLayer, is_lossless: bool) -> Option<ValueTransform> {
     let LayerData::F32(numbers) = &layer.data else { return None };
     // The grid has no negative zero.
     let is_negative_zero = |x: &f32| x.to_bits() == (-0.0f32).to_bits();
@@ -213,7 +213,7 @@ fn identifier_grid(layer: &AttributeLayer, is_lossless: bool) -> Option<Transfor
     let most = ranges.iter().fold(0.0f64, |most, r| most.max(f64::from(r.1) - f64::from(r.0)));
     let bits = (most as u32 + 1).next_power_of_two().ilog2().max(1);
     let axes = ranges.iter().map(|r| Axis { origin: r.0 + 0.0, step: 1.0 }).collect();
-    (bits <= MAX_BITS).then_some(Transform::Uniform { axes, bits })
+    (bits <= MAX_BITS).then_some(ValueTransform::Uniform { axes, bits })
 }
 
 /// The numbers of a layer of floats in single precision; `None` for integers.
@@ -252,9 +252,9 @@ fn octahedral_integers(vector: &[f32], bits: u32) -> impl Iterator<Item = i32> +
 }
 
 /// Chooses the transform of a layer of floats.
-fn transform_of(semantic: &Semantic, n: usize, numbers: &[f32], options: &LayerOptions) -> Transform {
+fn transform_of(semantic: &Semantic, n: usize, numbers: &[f32], options: &LayerOptions) -> ValueTransform {
     if numbers.iter().any(|x| !x.is_finite()) {
-        return Transform::Exact;
+        return ValueTransform::Exact;
     }
     let is_direction = match semantic {
         Semantic::Normal => n == 3,
@@ -263,19 +263,19 @@ fn transform_of(semantic: &Semantic, n: usize, numbers: &[f32], options: &LayerO
     };
     let bits = options.bits_of(semantic);
     if is_direction && numbers.chunks_exact(n).all(|v| is_unit([v[0], v[1], v[2]]) || has_no_direction(v)) {
-        return Transform::Octahedral { bits };
+        return ValueTransform::Octahedral { bits };
     }
     let ranges = ranges_of(n, numbers);
     // Components with a common unit get a common step; other components are independent.
     if !has_common_unit(semantic) {
         let one_by_one = ranges.iter().map(|&range| Axis::over(&[range], 0.0, bits));
         let (axes, bits): (Vec<_>, Vec<_>) = one_by_one.map(|(axes, bits)| (axes[0], bits)).unzip();
-        return Transform::Uniform { axes, bits: bits.into_iter().max().unwrap_or(1) };
+        return ValueTransform::Uniform { axes, bits: bits.into_iter().max().unwrap_or(1) };
     }
     // What a morph target does not move must stay in place.
     let through_zero = is_displacement(semantic).then(|| Axis::through_zero(&ranges, bits)).flatten();
     let (axes, bits) = through_zero.unwrap_or_else(|| Axis::over(&ranges, 0.0, bits));
-    Transform::Uniform { axes, bits }
+    ValueTransform::Uniform { axes, bits }
 }
 
 /// Returns the smallest and the largest number of each component.
@@ -420,7 +420,7 @@ mod tests {
                 let again = decoded(&form, &integers);
                 assert_eq!(again.data.len(), layer.data.len(), "{form:?}");
                 assert_eq!(form.integers(&again), integers, "{form:?}");
-                if form.transform == Transform::Exact {
+                if form.transform == ValueTransform::Exact {
                     assert_eq!(again.data.as_bytes(), layer.data.as_bytes(), "{form:?}");
                 }
             }
@@ -429,7 +429,7 @@ mod tests {
 
     #[test]
     fn layers_get_a_suitable_form() {
-        use Transform::*;
+        use ValueTransform::*;
         let options = LayerOptions::default();
         let forms: Vec<_> = layers().iter().map(|layer| LayerForm::of(layer, &options)).collect();
         let kinds: Vec<_> = forms.iter().map(|f| (&f.transform, f.integer_count())).collect();
@@ -452,10 +452,10 @@ mod tests {
             let n = layer.component_count as usize;
             for (index, (&x, &y)) in old.iter().zip(new).enumerate() {
                 let allowed = match &form.transform {
-                    Transform::Uniform { axes, .. } => 0.5000001 * axes[index % n].step,
-                    Transform::Octahedral { .. } if index % n == 3 => 0.0,
-                    Transform::Octahedral { .. } => 1.42 / 511.0,
-                    Transform::Exact => continue,
+                    ValueTransform::Uniform { axes, .. } => 0.5000001 * axes[index % n].step,
+                    ValueTransform::Octahedral { .. } if index % n == 3 => 0.0,
+                    ValueTransform::Octahedral { .. } => 1.42 / 511.0,
+                    ValueTransform::Exact => continue,
                 };
                 let off = (f64::from(x) - f64::from(y)).abs();
                 assert!(off <= allowed, "{form:?}: {x} became {y}");
@@ -487,13 +487,13 @@ mod tests {
             let layer = AttributeLayer::from_f32(Semantic::MorphPosition(2), 3, numbers);
             for bits in [1, 5, 12, 20, 23] {
                 let form = LayerForm::of(&layer, &LayerOptions::default().with_generic_bits(bits));
-                let Transform::Uniform { axes, .. } = &form.transform else { unreachable!() };
+                let ValueTransform::Uniform { axes, .. } = &form.transform else { unreachable!() };
                 assert!(axes[0].step <= f64::from(high - low) / f64::from((1u32 << bits) - 1));
                 let integers = form.integers(&layer);
                 let again = decoded(&form, &integers);
                 assert_eq!(again.data.slice(0..600), layer.data.slice(0..600), "{form:?}");
                 let steps = |form: &LayerForm| match &form.transform {
-                    Transform::Uniform { axes, .. } => axes[0].step,
+                    ValueTransform::Uniform { axes, .. } => axes[0].step,
                     _ => unreachable!(),
                 };
                 let next = LayerForm::of(&again, &LayerOptions::default().with_generic_bits(bits));
@@ -515,7 +515,7 @@ mod tests {
                 LayerOptions::default().with_lossless(true),
             ] {
                 let form = LayerForm::of(&layer, &options);
-                assert_eq!(matches!(form.transform, Transform::Uniform { .. }), is_grid, "{form:?}");
+                assert_eq!(matches!(form.transform, ValueTransform::Uniform { .. }), is_grid, "{form:?}");
                 let again = decoded(&form, &form.integers(&layer));
                 assert_eq!(again.data.as_bytes(), layer.data.as_bytes());
             }
@@ -552,7 +552,7 @@ mod tests {
                     assert_eq!(layer.data.len(), 3 * layer.component_count as usize);
                     let LayerData::F32(numbers) = &layer.data else { continue };
                     assert!(
-                        form.transform == Transform::Exact || numbers.iter().all(|x| x.is_finite()),
+                        form.transform == ValueTransform::Exact || numbers.iter().all(|x| x.is_finite()),
                         "{form:?}"
                     );
                 }

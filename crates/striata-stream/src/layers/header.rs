@@ -2,7 +2,7 @@
 
 use striata::file::{SemanticCode, semantic_code, semantic_of};
 
-use super::form::{LayerForm, NumberType, Transform};
+use super::form::{LayerForm, NumberType, ValueTransform};
 use crate::format::byte_reader::{ByteReader, put_u32};
 use crate::format::error::DecodeError;
 use crate::format::grid::{Axis, MAX_BITS};
@@ -13,9 +13,9 @@ impl LayerForm {
         let SemanticCode { kind, set, name } = semantic_code(&self.semantic);
         let number_type = NumberType::ALL.iter().position(|&t| t == self.number_type).unwrap_or(0) as u8;
         let (transform, bits) = match self.transform {
-            Transform::Exact => (0, 0),
-            Transform::Octahedral { bits } => (1, bits),
-            Transform::Uniform { bits, .. } => (2, bits),
+            ValueTransform::Exact => (0, 0),
+            ValueTransform::Octahedral { bits } => (1, bits),
+            ValueTransform::Uniform { bits, .. } => (2, bits),
         };
         out.extend([
             kind,
@@ -28,7 +28,7 @@ impl LayerForm {
         put_u32(set, out);
         put_u32(name.len() as u32, out);
         out.extend(name.as_bytes());
-        if let Transform::Uniform { axes, .. } = &self.transform {
+        if let ValueTransform::Uniform { axes, .. } = &self.transform {
             for axis in axes {
                 out.extend(axis.origin.to_le_bytes());
                 out.extend(axis.step.to_le_bytes());
@@ -60,13 +60,13 @@ impl LayerForm {
         let is_float = number_type == NumberType::F32;
         let bits = u32::from(bits);
         let transform = match transform {
-            0 => Transform::Exact,
+            0 => ValueTransform::Exact,
             1 if is_float && matches!(component_count, 3 | 4) && (2..=16).contains(&bits) => {
-                Transform::Octahedral { bits }
+                ValueTransform::Octahedral { bits }
             }
             2 if is_float && (1..=MAX_BITS).contains(&bits) => {
                 let axes = (0..component_count).map(|_| read_axis(reader)).collect::<Result<_, _>>()?;
-                Transform::Uniform { axes, bits }
+                ValueTransform::Uniform { axes, bits }
             }
             _ => return Err(reader.malformed("unknown or invalid transform of a layer")),
         };

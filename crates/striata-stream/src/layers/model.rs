@@ -13,7 +13,7 @@ use striata::mesh::Semantic;
 use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Part, Rate};
 use crate::format::effort::Effort;
 use crate::layers::direction_model::DirectionModel;
-use crate::layers::form::{LayerForm, Transform};
+use crate::layers::form::{LayerForm, ValueTransform};
 use crate::layers::layer_neighborhood::{LayerNeighborhood, LayerValues};
 use crate::layers::number_model::{NumberModel, predict_number, predict_weight};
 use crate::layers::tangents::TangentSources;
@@ -45,7 +45,7 @@ impl LayerModel {
         let layers: Vec<_> = forms
             .iter()
             .map(|form| match form.transform {
-                Transform::Octahedral { bits } => {
+                ValueTransform::Octahedral { bits } => {
                     let model = DirectionModel::new(bits, form.integer_count() > 2, effort);
                     match form.semantic {
                         Semantic::Tangent => OneLayer::Tangents(model, TangentSources::of(forms)),

@@ -7,7 +7,7 @@
 
 use crate::entropy::Coder;
 use crate::format::effort::Effort;
-use crate::layers::form::{LayerForm, NumberType, Transform};
+use crate::layers::form::{LayerForm, NumberType, ValueTransform};
 use crate::layers::history::LayerHistory;
 use crate::layers::layer_neighborhood::{KINDS, LayerNeighborhood, LayerValues};
 use crate::layers::residuals::{Expected, PredictorSelector, Residuals, scale_of};
@@ -113,7 +113,7 @@ impl NumberModel {
     /// Creates an untrained model.
     pub(crate) fn new(form: &LayerForm, effort: Effort) -> Self {
         let limits = match (&form.transform, form.number_type) {
-            (Transform::Uniform { bits, .. }, _) => (0, (1i64 << bits) - 1),
+            (ValueTransform::Uniform { bits, .. }, _) => (0, (1i64 << bits) - 1),
             (_, NumberType::U8) => (0, 0xFF),
             (_, NumberType::U16) => (0, 0xFFFF),
             (_, NumberType::I8) => (-0x80, 0x7F),

@@ -4,7 +4,7 @@ use striata::mesh::Semantic;
 
 use crate::layers::direction_model::UNIT_BITS;
 use crate::layers::directions::{Octahedron, scaled};
-use crate::layers::form::{LayerForm, Transform};
+use crate::layers::form::{LayerForm, ValueTransform};
 use crate::layers::layer_neighborhood::{LayerNeighborhood, LayerValues};
 
 /// The layers that tangents are estimated from: texture coordinates, whose first component increases
@@ -19,11 +19,11 @@ impl TangentSources {
     /// Finds these layers in a stream, if it has them.
     pub(crate) fn of(forms: &[LayerForm]) -> Option<Self> {
         let texcoords = forms.iter().position(|form| {
-            let is_grid = matches!(form.transform, Transform::Uniform { .. });
+            let is_grid = matches!(form.transform, ValueTransform::Uniform { .. });
             matches!(form.semantic, Semantic::TexCoord(_)) && is_grid && form.component_count == 2
         })?;
         let normals = forms.iter().enumerate().find_map(|(index, form)| match form.transform {
-            Transform::Octahedral { bits } if form.semantic == Semantic::Normal => {
+            ValueTransform::Octahedral { bits } if form.semantic == Semantic::Normal => {
                 Some((index, Octahedron::new(bits)))
             }
             _ => None,

@@ -14,7 +14,7 @@ pub(super) const DISTANCES: usize = 32;
 pub(super) const SPREADS: usize = 32;
 
 /// Everything that a coordinate's model may use.
-pub(super) struct Axis<'a, const KINDS: usize, const WIDTHS: usize> {
+pub(super) struct AxisInput<'a, const KINDS: usize, const WIDTHS: usize> {
     /// The surroundings of the vertex.
     pub local: &'a LocalRing,
     /// Index of the axis.
@@ -43,7 +43,7 @@ pub(super) struct Axis<'a, const KINDS: usize, const WIDTHS: usize> {
 /// Mass of each density, by kind of guess and width.
 pub(super) type Masses<const KINDS: usize, const WIDTHS: usize> = [[i32; WIDTHS]; KINDS];
 
-impl<const KINDS: usize, const WIDTHS: usize> Axis<'_, KINDS, WIDTHS> {
+impl<const KINDS: usize, const WIDTHS: usize> AxisInput<'_, KINDS, WIDTHS> {
     /// Returns the total mass of each density.
     #[inline]
     pub(super) fn all(&self) -> Masses<KINDS, WIDTHS> {
@@ -78,5 +78,5 @@ pub(super) trait AxisCoder<const DENSITIES: usize, const WIDTHS: usize> {
     fn new() -> Self;
 
     /// Codes a grid coordinate.
-    fn code<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, DENSITIES, WIDTHS>, actual: i32) -> i32;
+    fn code<C: Coder>(&mut self, coder: &mut C, axis: &AxisInput<'_, DENSITIES, WIDTHS>, actual: i32) -> i32;
 }

@@ -8,7 +8,7 @@
 
 use wide::{i16x8, i32x4};
 
-use super::axis::{Axis, AxisCoder, CONTEXTS, DISTANCES, SIZES, SPREADS};
+use super::axis::{AxisCoder, AxisInput, CONTEXTS, DISTANCES, SIZES, SPREADS};
 use super::bumps::{Bumps, Width, below};
 use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, Shares, code_shares, log2_q16};
 
@@ -103,7 +103,7 @@ impl CellModel {
     }
 
     /// Returns the weights of an axis's four contexts.
-    fn contexts(&mut self, axis: &Axis<'_, 1, 1>) -> [&mut CellWeights; 4] {
+    fn contexts(&mut self, axis: &AxisInput<'_, 1, 1>) -> [&mut CellWeights; 4] {
         [
             &mut self.by_size[axis.size],
             &mut self.by_context[axis.context],
@@ -117,7 +117,7 @@ impl CellModel {
     fn cell<C: Coder>(
         &mut self,
         coder: &mut C,
-        axis: &Axis<'_, 1, 1>,
+        axis: &AxisInput<'_, 1, 1>,
         density: &CellScores,
         actual_cell: usize,
     ) -> usize {
@@ -145,7 +145,7 @@ impl CellModel {
     fn within<C: Coder>(
         &mut self,
         coder: &mut C,
-        axis: &Axis<'_, 1, 1>,
+        axis: &AxisInput<'_, 1, 1>,
         (mut low, mut high): (i32, i32),
         actual: i32,
     ) -> i32 {
@@ -257,14 +257,14 @@ static LOCAL_ENDS: [[i16; CELLS]; 16 - LEAST_STEP_LOG as usize] = {
 const LEAST_STEP_LOG: u32 = 4;
 
 /// Returns the mass of the density below a coordinate, given relative to the center.
-fn below_all(axis: &Axis<'_, 1, 1>, off: i32, width: &[Width; 1]) -> i32 {
+fn below_all(axis: &AxisInput<'_, 1, 1>, off: i32, width: &[Width; 1]) -> i32 {
     let x = axis.local.border(axis.center.wrapping_add(off), axis.axis);
     below(axis.bumps, x, width)[0]
 }
 
 /// Returns the density's score of each cell, in the order in which counters see the cells.
 #[inline]
-fn density_scores(axis: &Axis<'_, 1, 1>, step_log: u32) -> CellScores {
+fn density_scores(axis: &AxisInput<'_, 1, 1>, step_log: u32) -> CellScores {
     let local_log = (step_log as i32 + axis.local.shift - LEAST_STEP_LOG as i32).max(0) as usize;
     let center = i16x8::splat(axis.local.border(axis.center, axis.axis));
     let (low, high) = LOCAL_ENDS[local_log.min(LOCAL_ENDS.len() - 1)].split_at(8);
@@ -306,7 +306,7 @@ impl AxisCoder<1, 1> for CellModel {
         Self::new()
     }
 
-    fn code<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, 1, 1>, actual: i32) -> i32 {
+    fn code<C: Coder>(&mut self, coder: &mut C, axis: &AxisInput<'_, 1, 1>, actual: i32) -> i32 {
         let span_log = (11 - axis.local.shift - i32::from(axis.is_last)).clamp(1, 29) as u32;
         let step_log = span_log.saturating_sub(SPAN_LOG);
         let scores = density_scores(axis, step_log);
@@ -363,8 +363,8 @@ mod tests {
     }
 
     /// A density of one bump, and an axis centered on it.
-    fn axis<'a>(local: &'a LocalRing, bumps: &'a [Bumps], is_mirrored: bool) -> Axis<'a, 1, 1> {
-        Axis {
+    fn axis<'a>(local: &'a LocalRing, bumps: &'a [Bumps], is_mirrored: bool) -> AxisInput<'a, 1, 1> {
+        AxisInput {
             local,
             axis: 0,
             bumps,

@@ -7,7 +7,7 @@
 //! and counters of earlier outcomes at this node of the tree in similar contexts. Two mixers weight the
 //! inputs, and the mean of their outputs is used.
 
-use super::axis::{Axis, AxisCoder, CONTEXTS, DISTANCES, Masses, SIZES, SPREADS};
+use super::axis::{AxisCoder, AxisInput, CONTEXTS, DISTANCES, Masses, SIZES, SPREADS};
 use super::guesses::KINDS;
 use crate::entropy::{
     AdaptiveBit, AdaptiveNumber, Coder, ProbabilityMap, Rate, WideMixer, log_odds, log2_q8, log2_q16,
@@ -86,7 +86,7 @@ impl AxisCoder<KINDS, WIDTHS> for HalvingModel {
         }
     }
 
-    fn code<C: Coder>(&mut self, coder: &mut C, axis: &Axis<'_, KINDS, WIDTHS>, actual: i32) -> i32 {
+    fn code<C: Coder>(&mut self, coder: &mut C, axis: &AxisInput<'_, KINDS, WIDTHS>, actual: i32) -> i32 {
         let span_log = (11 - axis.local.shift - i32::from(axis.is_last)).clamp(1, 29) as u32;
         let half = 1i32 << span_log;
         let actual = actual.wrapping_sub(axis.center);
@@ -110,7 +110,7 @@ impl HalvingModel {
     fn is_outside<C: Coder>(
         &mut self,
         coder: &mut C,
-        axis: &Axis<'_, KINDS, WIDTHS>,
+        axis: &AxisInput<'_, KINDS, WIDTHS>,
         (near, masses): (i32, &[Masses<KINDS, WIDTHS>; 2]),
         actual: i32,
     ) -> bool {
@@ -131,7 +131,7 @@ impl HalvingModel {
     fn halve<C: Coder>(
         &mut self,
         coder: &mut C,
-        axis: &Axis<'_, KINDS, WIDTHS>,
+        axis: &AxisInput<'_, KINDS, WIDTHS>,
         interval: Interval,
         actual: i32,
     ) -> i32 {
@@ -170,7 +170,7 @@ impl HalvingModel {
     fn decide<C: Coder>(
         &mut self,
         coder: &mut C,
-        axis: &Axis<'_, KINDS, WIDTHS>,
+        axis: &AxisInput<'_, KINDS, WIDTHS>,
         Decision { node, depth, bit }: Decision,
         inputs: &mut [[i16; 8]; VECTORS],
     ) -> bool {

@@ -2,7 +2,7 @@
 
 use wide::{i16x8, i32x4};
 
-use super::axis::{Axis, DISTANCES, SIZES, SPREADS};
+use super::axis::{AxisInput, DISTANCES, SIZES, SPREADS};
 use super::bumps::{Bumps, Width};
 use super::guesses::{ACROSS, Guesses, INSIDE, KINDS, MIDDLE, MOVED, STRAIGHT, guess};
 use super::local::{LANES, LocalRing, Point};
@@ -166,7 +166,7 @@ impl<const USED: usize> PositionDensity<USED> {
         widths: [u32; WIDTHS],
         (expected, context): (i32, usize),
         features: &[i32; FEATURES],
-    ) -> Axis<'_, DENSITIES, WIDTHS> {
+    ) -> AxisInput<'_, DENSITIES, WIDTHS> {
         let local = &self.local;
         // Guesses are no more precise than the grid.
         let narrowest = local.shift.clamp(0, 13) as u32;
@@ -176,7 +176,7 @@ impl<const USED: usize> PositionDensity<USED> {
         let spread =
             [INSIDE, ACROSS, STRAIGHT].iter().map(|&kind| features[kind].unsigned_abs()).sum::<u32>();
         let spread = log2_q8(spread * 1024 / local.radius as u32 + 16) - 1024;
-        Axis {
+        AxisInput {
             local,
             axis,
             bumps: &self.bumps,

@@ -40,7 +40,7 @@ impl Connectivity {
 
 /// One model for each part of a stream.
 #[derive(Clone, Debug)]
-pub(crate) struct Models {
+pub(crate) struct PartModels {
     /// Connectivity: which vertices split, and how.
     pub connectivity: Connectivity,
     /// Grid coordinates of new vertices.
@@ -55,7 +55,7 @@ pub(crate) struct Models {
     pub general: Option<GeneralBatches>,
 }
 
-impl Models {
+impl PartModels {
     /// Reserves memory for a number of vertices beyond those of the surface.
     pub(crate) fn reserve(&mut self, surface: &Surface, steps: usize) {
         // These models do not store anything for the existing vertices yet.

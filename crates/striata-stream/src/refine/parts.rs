@@ -1,7 +1,7 @@
 //! The state of a refinement apart from its models.
 
 use super::growth::GrowingMesh;
-use super::walk::Walk;
+use super::walk::BatchWalk;
 use crate::connectivity::SplitContext;
 use crate::format::grid::PositionGrid;
 use crate::topology::surface::{Cut, Surface, triangle_of};
@@ -9,7 +9,7 @@ use crate::wedges::split::SplitWedges;
 
 /// The mesh and surface refined so far.
 #[derive(Clone, Debug)]
-pub(crate) struct Level {
+pub(crate) struct RefinedLevel {
     /// The surface, including all splits done so far.
     pub surface: Surface,
     /// Grid coordinates of each vertex of the surface.
@@ -24,7 +24,7 @@ pub(crate) struct Level {
 #[derive(Clone, Debug)]
 pub(crate) struct Batch {
     /// The order in which vertices are visited.
-    pub walk: Walk,
+    pub walk: BatchWalk,
     /// Whether vertices of the batch remain to be visited.
     pub is_under_way: bool,
     /// Number of splits so far.
@@ -33,7 +33,7 @@ pub(crate) struct Batch {
 
 /// Limits that a stream must respect.
 #[derive(Clone, Debug)]
-pub(crate) struct Limits {
+pub(crate) struct StreamLimits {
     /// Maximum number of triangles that move to a new vertex.
     pub max_patch: u32,
     /// Number of vertex visits that are still allowed.
@@ -55,10 +55,14 @@ pub(crate) struct Stretch {
     pub shown: SplitWedges,
 }
 
-impl Level {
+impl RefinedLevel {
     /// Returns the context in which a vertex is visited.
     #[inline]
-    pub(crate) fn split_context<'a>(&'a self, walk: &'a Walk, limits: &Limits) -> SplitContext<'a> {
+    pub(crate) fn split_context<'a>(
+        &'a self,
+        walk: &'a BatchWalk,
+        limits: &StreamLimits,
+    ) -> SplitContext<'a> {
         SplitContext {
             surface: &self.surface,
             grid_points: &self.grid_points,

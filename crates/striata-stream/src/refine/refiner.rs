@@ -1,16 +1,16 @@
 //! The refinement loop of writer and reader: select the vertices that split, split them, and code the new
 //! vertices.
 //!
-//! Both sides run the same generic code over a [`Coder`]. The writer passes a [`Source`] that knows the
+//! Both sides run the same generic code over a [`Coder`]. The writer passes a [`StreamSide`] that knows the
 //! splits to come; the reader's source knows nothing. As long as models only use data that has already
 //! been coded, the two sides cannot disagree.
 
 use super::growth::GrowingMesh;
-use super::models::{Connectivity, Models};
+use super::models::{Connectivity, PartModels};
 use super::parameters::StreamParameters;
-use super::parts::{Batch, Level, Limits, Stretch};
-use super::source::Source;
-use super::walk::Walk;
+use super::parts::{Batch, RefinedLevel, StreamLimits, Stretch};
+use super::source::StreamSide;
+use super::walk::BatchWalk;
 use crate::base::coder::code_base;
 use crate::base::mesh::Base;
 use crate::base::neighborhoods::BaseNeighborhoods;
@@ -40,13 +40,13 @@ pub(crate) enum CodingResult {
 #[derive(Clone, Debug)]
 pub(crate) struct MeshRefiner {
     /// The mesh and surface refined so far.
-    pub level: Level,
+    pub level: RefinedLevel,
     /// The adaptive models.
-    pub models: Models,
+    pub models: PartModels,
     /// Progress within the current batch.
     pub batch: Batch,
     /// Limits that the stream must respect.
-    pub limits: Limits,
+    pub limits: StreamLimits,
     /// The splits that are currently being coded.
     pub stretch: Stretch,
 }
@@ -60,7 +60,7 @@ impl MeshRefiner {
         coder: &mut C,
         known: &Base,
         parameters: &StreamParameters,
-        source: &mut impl Source,
+        source: &mut impl StreamSide,
     ) -> Result<Self, StreamDefect> {
         let (mut base, order) = code_base(coder, known, parameters.base)?;
         if let Some(observer) = source.observer() {
@@ -89,7 +89,7 @@ impl MeshRefiner {
             }
             None => base.use_one_vertex_per_position(),
         }
-        let mut models = Models {
+        let mut models = PartModels {
             connectivity: Connectivity::new(&surface, parameters),
             positions: PositionModel::new(parameters.effort),
             corrections: parameters.is_exact.then(CorrectionModel::new),
@@ -99,14 +99,14 @@ impl MeshRefiner {
         };
         let growth = GrowingMesh::of_base(&base, &mut surface, parameters.group_count);
         let mut level =
-            Level { surface, grid_points: base.surface_grid_points(), grid: parameters.grid, growth };
+            RefinedLevel { surface, grid_points: base.surface_grid_points(), grid: parameters.grid, growth };
         base_values(coder, source, (&base, &vertex_of_position), (&mut level, &mut models));
-        let limits = Limits {
+        let limits = StreamLimits {
             max_patch: parameters.max_patch,
             visits_left: parameters.most_visits(),
             most_wedges: parameters.base.extra_wedges.into(),
         };
-        let batch = Batch { walk: Walk::default(), is_under_way: false, split_count: 0 };
+        let batch = Batch { walk: BatchWalk::default(), is_under_way: false, split_count: 0 };
         Ok(Self { level, models, batch, limits, stretch: Stretch::default() })
     }
 
@@ -114,7 +114,7 @@ impl MeshRefiner {
     pub(crate) fn stretch<C: Coder>(
         &mut self,
         coder: &mut C,
-        source: &mut impl Source,
+        source: &mut impl StreamSide,
         most: usize,
     ) -> Result<CodingResult, StreamDefect> {
         if !self.batch.is_under_way {
@@ -177,8 +177,8 @@ impl MeshRefiner {
     }
 
     /// Applies the splits of the stretch to the surface.
-    fn split_all(&mut self, source: &mut impl Source) {
-        let Self { level: Level { surface, .. }, models, batch, stretch, .. } = self;
+    fn split_all(&mut self, source: &mut impl StreamSide) {
+        let Self { level: RefinedLevel { surface, .. }, models, batch, stretch, .. } = self;
         for patch in stretch.patches() {
             let kept = surface.vertex(patch[0]);
             let vertex = surface.split(patch);
@@ -239,9 +239,9 @@ impl MeshRefiner {
 /// Codes the positions and attributes of the base mesh's vertices.
 fn base_values<C: Coder>(
     coder: &mut C,
-    source: &impl Source,
+    source: &impl StreamSide,
     (base, vertex_of_position): (&Base, &[u32]),
-    (level, models): (&mut Level, &mut Models),
+    (level, models): (&mut RefinedLevel, &mut PartModels),
 ) {
     let neighborhoods = BaseNeighborhoods::new(base);
     for (position, &vertex) in vertex_of_position.iter().enumerate() {

@@ -9,7 +9,7 @@ use crate::layers::layer_neighborhood::LayerValues;
 use crate::topology::surface::{Cut, Surface};
 
 /// One side of a stream. A writer has input, a reader has none.
-pub(crate) trait Source {
+pub(crate) trait StreamSide {
     /// Returns the data to encode, or `None` in a reader.
     fn input(&self) -> Option<&dyn EncoderInput>;
 
@@ -20,7 +20,7 @@ pub(crate) trait Source {
 /// The source of a reader, which knows nothing in advance.
 pub(crate) struct ReaderSource;
 
-impl Source for ReaderSource {
+impl StreamSide for ReaderSource {
     #[inline]
     fn input(&self) -> Option<&dyn EncoderInput> {
         None

@@ -2,12 +2,12 @@
 
 use super::models::Connectivity;
 use super::refiner::MeshRefiner;
-use super::source::Source;
+use super::source::StreamSide;
 use crate::entropy::Coder;
 
 impl MeshRefiner {
     /// Codes which vertices split and how, up to `most` splits or the end of the batch.
-    pub(super) fn code_splits<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
+    pub(super) fn code_splits<C: Coder>(&mut self, coder: &mut C, source: &impl StreamSide, most: usize) {
         self.stretch.clear();
         match &self.models.connectivity {
             Connectivity::Quick(_) => self.code_quickly(coder, source, most),
@@ -16,7 +16,7 @@ impl MeshRefiner {
     }
 
     /// Codes the flag and cut of one vertex after another.
-    fn code_each<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
+    fn code_each<C: Coder>(&mut self, coder: &mut C, source: &impl StreamSide, most: usize) {
         let Self { level, models, batch, limits, stretch } = self;
         let Connectivity::Thorough(model) = &mut models.connectivity else { return };
         while stretch.split_count() < most {
@@ -37,7 +37,7 @@ impl MeshRefiner {
     }
 
     /// Codes all flags with the quick model, then all cuts.
-    fn code_quickly<C: Coder>(&mut self, coder: &mut C, source: &impl Source, most: usize) {
+    fn code_quickly<C: Coder>(&mut self, coder: &mut C, source: &impl StreamSide, most: usize) {
         let Self { level, models, batch, limits, stretch } = self;
         let Connectivity::Quick(model) = &mut models.connectivity else { return };
         let does_split = |vertex| source.input().is_some_and(|input| input.cut(vertex).is_some());

@@ -3,7 +3,7 @@
 
 use super::models::Connectivity;
 use super::refiner::{CodingResult, MeshRefiner};
-use super::source::Source;
+use super::source::StreamSide;
 use crate::entropy::{Coder, Part};
 use crate::format::error::StreamDefect;
 use crate::layers::attributes::{AttributeContext, NewVertex, actual_layers};
@@ -49,7 +49,7 @@ impl MeshRefiner {
     pub(super) fn code_vertex<C: Coder>(
         &mut self,
         coder: &mut C,
-        source: &mut impl Source,
+        source: &mut impl StreamSide,
         vertex: u32,
     ) -> Result<CodingResult, StreamDefect> {
         let Self { level, models, stretch, .. } = self;
@@ -98,7 +98,12 @@ impl MeshRefiner {
     }
 
     /// Codes which vertices the corners around a new vertex refer to, and their attributes.
-    fn code_wedges_and_attributes<C: Coder>(&mut self, coder: &mut C, source: &mut impl Source, vertex: u32) {
+    fn code_wedges_and_attributes<C: Coder>(
+        &mut self,
+        coder: &mut C,
+        source: &mut impl StreamSide,
+        vertex: u32,
+    ) {
         let Self { level, models, limits, stretch, .. } = self;
         let (surface, growth, corners) = (&level.surface, &level.growth, &stretch.corners);
         if let Some(model) = &mut models.wedges {

@@ -25,7 +25,7 @@ pub(crate) enum VisitState {
 
 /// Progress of a walk through the current batch.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Walk {
+pub(crate) struct BatchWalk {
     /// For each vertex: four times the batch in which it was last visited, plus its state in that batch.
     seen: Vec<u32>,
     /// Number of the current batch, starting from 1.
@@ -42,12 +42,12 @@ pub(crate) struct Walk {
     is_renumbered: bool,
 }
 
-/// State of a visited vertex that does not split, as stored in `Walk::seen`.
+/// State of a visited vertex that does not split, as stored in `BatchWalk::seen`.
 const STAYS: u32 = 1;
 /// State of a visited vertex that splits.
 const SPLITS: u32 = 2;
 
-impl Walk {
+impl BatchWalk {
     /// Reserves memory for a total number of vertices.
     pub(crate) fn reserve(&mut self, vertex_count: usize) {
         self.queue.reserve_exact(vertex_count);
@@ -180,12 +180,12 @@ mod tests {
         close(&mesh.triangles, mesh.positions.len()).surface
     }
 
-    fn visited(walk: &mut Walk) -> Vec<u32> {
+    fn visited(walk: &mut BatchWalk) -> Vec<u32> {
         std::iter::from_fn(|| walk.next_vertex()).collect()
     }
 
     /// Splits a vertex with a patch of one triangle.
-    fn split(walk: &mut Walk, surface: &mut Surface, vertex: u32) -> u32 {
+    fn split(walk: &mut BatchWalk, surface: &mut Surface, vertex: u32) -> u32 {
         let corner = surface.corner_of(vertex);
         walk.record_split(vertex);
         surface.split(&[corner])
@@ -195,7 +195,7 @@ mod tests {
     fn split_off_vertices_follow_their_parents() {
         let mut surface = surface();
         let count = surface.vertex_count() as u32;
-        let mut walk = Walk::default();
+        let mut walk = BatchWalk::default();
         walk.begin(&surface);
         assert_eq!(visited(&mut walk), (1..count).collect::<Vec<_>>());
         for vertex in [2, 5] {
@@ -218,7 +218,7 @@ mod tests {
     #[test]
     fn each_batch_visits_each_vertex_once() {
         let mut surface = surface();
-        let mut walk = Walk::default();
+        let mut walk = BatchWalk::default();
         for _ in 0..3 {
             walk.begin(&surface);
             let mut all = Vec::new();
@@ -239,7 +239,7 @@ mod tests {
     fn renumbering_keeps_the_order() {
         let mut surface = surface();
         let count = surface.vertex_count() as u32;
-        let mut walk = Walk::default();
+        let mut walk = BatchWalk::default();
         walk.begin(&surface);
         visited(&mut walk);
         split(&mut walk, &mut surface, 2);

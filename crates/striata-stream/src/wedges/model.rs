@@ -13,7 +13,7 @@ use super::split::SplitWedges;
 use crate::entropy::{AdaptiveBit, Coder, Rate, code_uniform};
 use crate::general::step::CodedStep;
 use crate::refine::growth::GrowingMesh;
-use crate::refine::source::Source;
+use crate::refine::source::StreamSide;
 use crate::topology::surface::{NONE, Surface, next, previous, triangle_of};
 use crate::wedges::hidden::HiddenWedges;
 
@@ -89,7 +89,7 @@ pub(crate) struct WedgeContext<'a, S> {
     pub most_beyond: u64,
 }
 
-impl<S: Source> WedgeContext<'_, S> {
+impl<S: StreamSide> WedgeContext<'_, S> {
     /// Returns the source mesh's vertex that a corner refers to; 0 in a reader, where it is ignored.
     fn wedge(&self, corner: u32) -> u32 {
         self.source.input().map_or(0, |input| input.wedge(corner))
@@ -207,7 +207,7 @@ impl WedgeModel {
     }
 
     /// Codes the vertices that the corners around a new position refer to.
-    pub(crate) fn code<C: Coder, S: Source>(
+    pub(crate) fn code<C: Coder, S: StreamSide>(
         &mut self,
         coder: &mut C,
         split: &WedgeContext<'_, S>,
@@ -228,7 +228,7 @@ impl WedgeModel {
     }
 
     /// Codes the wedges that no corner refers to.
-    fn code_cornerless<C: Coder, S: Source>(
+    fn code_cornerless<C: Coder, S: StreamSide>(
         &mut self,
         coder: &mut C,
         split: &WedgeContext<'_, S>,
@@ -264,7 +264,7 @@ impl WedgeModel {
     }
 
     /// Updates the corner counts for the split.
-    fn count_corners<S: Source>(&mut self, split: &WedgeContext<'_, S>, out: &SplitWedges) {
+    fn count_corners<S: StreamSide>(&mut self, split: &WedgeContext<'_, S>, out: &SplitWedges) {
         let WedgeContext { surface, growth, corners, .. } = *split;
         let first = growth.vertex_count();
         for (at, (&corner, &wedge)) in corners.iter().zip(&out.wedges).enumerate() {
@@ -283,7 +283,7 @@ impl WedgeModel {
     }
 
     /// Codes the wedges at the corners of the patch.
-    fn code_patch<C: Coder, S: Source>(
+    fn code_patch<C: Coder, S: StreamSide>(
         &mut self,
         coder: &mut C,
         split: &WedgeContext<'_, S>,
@@ -367,7 +367,7 @@ impl WedgeModel {
     }
 
     /// Codes the vertices of the corners of A (side 0) or B, and its group.
-    fn code_side<C: Coder, S: Source>(
+    fn code_side<C: Coder, S: StreamSide>(
         &mut self,
         coder: &mut C,
         split: &WedgeContext<'_, S>,

@@ -16,7 +16,7 @@ use crate::writer::surface_stage::SurfaceStage;
 
 /// A run of batches of the same kind.
 #[derive(Debug)]
-pub(crate) enum Stage {
+pub(crate) enum BatchRun {
     Surface(SurfaceStage),
     General(GeneralStage),
 }
@@ -25,7 +25,7 @@ pub(crate) enum Stage {
 #[derive(Debug)]
 pub(crate) struct Descent {
     /// Stages from coarse to fine. The first one is a surface stage that ends with the base.
-    pub stages: Vec<Stage>,
+    pub stages: Vec<BatchRun>,
     /// Vertices of each triangle's corners at the coarsest level that contains the triangle.
     pub shown: Vec<[u32; 3]>,
     /// Upper bound on a reader's work for each batch, in visited vertices and triangles.
@@ -85,16 +85,16 @@ impl Descent {
             if !stage.batches().is_empty() && !stage.matches_rebuilt(&level, refinable) {
                 return Ok(Attempt::SurfaceDiffers(stage.batches()));
             }
-            stages.push(Stage::Surface(stage));
+            stages.push(BatchRun::Surface(stage));
             let general = GeneralStage::new(&mut level, refinable, steps)?;
             visits[batch] = general.visits;
-            stages.push(Stage::General(general));
+            stages.push(BatchRun::General(general));
             stage = SurfaceStage::new(&level, refinable, batch);
             visits[batch] += (stage.vertex_count() + level.alive.len()) as u64;
         }
         stage.finish(&mut level);
         check_base(&level, refinable)?;
-        stages.push(Stage::Surface(stage));
+        stages.push(BatchRun::Surface(stage));
         stages.reverse();
         Ok(Attempt::Complete(Self { stages, shown: level.shown, visits }))
     }
@@ -102,8 +102,8 @@ impl Descent {
     /// Maximum number of triangles that a split of the surface moves.
     pub(crate) fn max_patch(&self) -> u32 {
         let undo = self.stages.iter().flat_map(|stage| match stage {
-            Stage::Surface(stage) => stage.undo.as_slice(),
-            Stage::General(_) => &[],
+            BatchRun::Surface(stage) => stage.undo.as_slice(),
+            BatchRun::General(_) => &[],
         });
         undo.map(|undo| undo.cut.length).max().unwrap_or(0)
     }

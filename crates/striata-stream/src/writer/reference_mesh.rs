@@ -8,9 +8,9 @@ use crate::base::coder::BaseOrder;
 use crate::base::mesh::Base;
 use crate::general::step::{CodedStep, NewTriangle, ReferenceStep, ReferenceTriangle};
 use crate::layers::layer_neighborhood::LayerValues;
-use crate::refine::source::{CodingObserver, EncoderInput, Source};
+use crate::refine::source::{CodingObserver, EncoderInput, StreamSide};
 use crate::topology::surface::{Cut, NONE, Surface, Undo, triangle_of};
-use crate::writer::descent::{Descent, Stage};
+use crate::writer::descent::{BatchRun, Descent};
 use crate::writer::general_order::GeneralOrder;
 use crate::writer::surface_stage::SurfaceStage;
 
@@ -133,7 +133,7 @@ pub(crate) fn base_of<'a>(
         base_positions: Vec::new(),
         order: Vec::with_capacity(refinable.sequence.step_count()),
     };
-    let Some(Stage::Surface(stage)) = descent.stages.first() else { return (Base::default(), reference) };
+    let Some(BatchRun::Surface(stage)) = descent.stages.first() else { return (Base::default(), reference) };
     let surface = &stage.surface;
     let virtual_count = surface.virtual_count();
     let is_base = |copy: &u32| stage.position_of_copy[*copy as usize] < base_position_count;
@@ -196,7 +196,7 @@ impl<'a> ReferenceMesh<'a> {
     /// Returns the current stage if it is a surface stage.
     fn surface_stage(&self) -> Option<&'a SurfaceStage> {
         match self.descent.stages.get(self.stage) {
-            Some(Stage::Surface(stage)) => Some(stage),
+            Some(BatchRun::Surface(stage)) => Some(stage),
             _ => None,
         }
     }
@@ -293,7 +293,7 @@ impl<'a> ReferenceMesh<'a> {
     }
 }
 
-impl Source for ReferenceMesh<'_> {
+impl StreamSide for ReferenceMesh<'_> {
     #[inline]
     fn input(&self) -> Option<&dyn EncoderInput> {
         Some(self)
@@ -351,7 +351,7 @@ impl EncoderInput for ReferenceMesh<'_> {
 
     fn general_count(&self) -> u32 {
         match self.descent.stages.get(self.stage) {
-            Some(Stage::General(stage)) => stage.steps.len() as u32,
+            Some(BatchRun::General(stage)) => stage.steps.len() as u32,
             _ => 0,
         }
     }
@@ -390,7 +390,7 @@ impl CodingObserver for ReferenceMesh<'_> {
     fn begin_batch(&mut self) {
         self.batch += 1;
         let batch = self.batches[self.batch - 1]..self.batches[self.batch];
-        if let Some(Stage::General(stage)) = self.descent.stages.get(self.stage + 1)
+        if let Some(BatchRun::General(stage)) = self.descent.stages.get(self.stage + 1)
             && stage.begins(batch.start)
         {
             self.stage += 1;
@@ -433,7 +433,7 @@ impl CodingObserver for ReferenceMesh<'_> {
     }
 
     fn general_step(&mut self) -> ReferenceStep {
-        let Some(Stage::General(stage)) = self.descent.stages.get(self.stage) else {
+        let Some(BatchRun::General(stage)) = self.descent.stages.get(self.stage) else {
             return ReferenceStep::default();
         };
         self.current_step = self.general_order.next().unwrap_or(0);
@@ -467,7 +467,7 @@ impl CodingObserver for ReferenceMesh<'_> {
     }
 
     fn general_step_applied(&mut self, step: &CodedStep) {
-        let Some(Stage::General(stage)) = self.descent.stages.get(self.stage) else { return };
+        let Some(BatchRun::General(stage)) = self.descent.stages.get(self.stage) else { return };
         let undo = stage.undo(self.current_step as usize);
         let index = stage.steps[self.current_step as usize];
         let position = self.refinable.sequence.base_position_count() as u32 + index;

@@ -4,13 +4,13 @@ use super::error::{DecodeError, EncodeError};
 use super::section_kind::SectionKind;
 
 /// Reads numbers and texts from a section; checks every length against the bytes that remain.
-pub(super) struct ByteReader<'a> {
+pub(super) struct SectionReader<'a> {
     kind: SectionKind,
     bytes: &'a [u8],
     at: usize,
 }
 
-impl<'a> ByteReader<'a> {
+impl<'a> SectionReader<'a> {
     pub(super) fn new(kind: SectionKind, bytes: &'a [u8]) -> Self {
         Self { kind, bytes, at: 0 }
     }

@@ -1,6 +1,6 @@
 //! Encoding of attribute layers, groups, appearance and metadata.
 
-use super::byte_reader::{ByteReader, put_block, put_texts, put_u32};
+use super::byte_reader::{SectionReader, put_block, put_texts, put_u32};
 use super::error::{DecodeError, EncodeError};
 use super::section_kind::SectionKind;
 use crate::mesh::{
@@ -85,7 +85,7 @@ pub(super) fn layer_from_bytes(
     vertex_count: usize,
     full_vertex_count: usize,
 ) -> Result<AttributeLayer, DecodeError> {
-    let mut reader = ByteReader::new(kind, bytes);
+    let mut reader = SectionReader::new(kind, bytes);
     let [code, number_type, component_count, normalized] =
         [reader.u8()?, reader.u8()?, reader.u8()?, reader.u8()?];
     let (set, data_offset) = (reader.u32()?, reader.u32()? as usize);
@@ -124,7 +124,7 @@ pub(super) fn groups_to_bytes(groups: &[TriangleGroup]) -> Result<Vec<u8>, Encod
 }
 
 pub(super) fn groups_from_bytes(bytes: &[u8]) -> Result<Vec<TriangleGroup>, DecodeError> {
-    let mut reader = ByteReader::new(SectionKind::GROUPS, bytes);
+    let mut reader = SectionReader::new(SectionKind::GROUPS, bytes);
     let count = reader.count(12)?;
     let mut groups = Vec::with_capacity(count);
     let mut first = 0u32;
@@ -182,7 +182,7 @@ pub fn appearance_to_bytes(appearance: &Appearance) -> Result<Vec<u8>, EncodeErr
 /// # Errors
 /// [`DecodeError::Malformed`] if the bytes are invalid.
 pub fn appearance_from_bytes(bytes: &[u8]) -> Result<Appearance, DecodeError> {
-    let mut reader = ByteReader::new(SectionKind::APPEARANCE, bytes);
+    let mut reader = SectionReader::new(SectionKind::APPEARANCE, bytes);
     let mut appearance = Appearance::default();
     for _ in 0..reader.count(8)? {
         appearance.materials.push(Material { name: reader.text()?, gltf_json: reader.text()? });
@@ -226,7 +226,7 @@ pub fn metadata_to_bytes(metadata: &[(String, String)]) -> Result<Vec<u8>, Encod
 }
 
 pub(super) fn metadata_from_bytes(bytes: &[u8]) -> Result<Vec<(String, String)>, DecodeError> {
-    let mut reader = ByteReader::new(SectionKind::METADATA, bytes);
+    let mut reader = SectionReader::new(SectionKind::METADATA, bytes);
     let count = reader.count(8)?;
     let pairs =
         (0..count).map(|_| Ok((reader.text()?, reader.text()?))).collect::<Result<_, DecodeError>>()?;

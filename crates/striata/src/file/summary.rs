@@ -1,6 +1,6 @@
 //! Counts and bounds of a file, available without reading the large arrays.
 
-use super::byte_reader::{ByteReader, put_u32};
+use super::byte_reader::{SectionReader, put_u32};
 use super::{DecodeError, SectionKind};
 use crate::mesh::{Bounds, IndexedMesh, Levels, RefinableMesh};
 
@@ -73,7 +73,7 @@ impl Summary {
     }
 
     pub(super) fn from_bytes(bytes: &[u8]) -> Result<Self, DecodeError> {
-        let mut reader = ByteReader::new(SectionKind::SUMMARY, bytes);
+        let mut reader = SectionReader::new(SectionKind::SUMMARY, bytes);
         let mut count = || reader.u32().map(|n| n as usize);
         let mut summary = Self {
             vertex_count: count()?,

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::tables::Tables;
+use super::tables::LodTables;
 use crate::mesh::{IndexedMesh, replay};
 use crate::model::{FanForm, FanIndices, LodModel as _};
 use crate::simplify::{StopReason, Target};
@@ -12,14 +12,14 @@ use crate::strip::{StripIndices, stripify};
 /// A uniform level of detail of a [`Lod`](super::Lod): a triangle list over a prefix of its vertices.
 #[derive(Clone, Debug)]
 pub struct Level {
-    tables: Arc<Tables>,
+    tables: Arc<LodTables>,
     split_count: usize,
     stop_reason: StopReason,
     indices: FanIndices,
 }
 
 impl Level {
-    pub(super) fn empty(tables: Arc<Tables>) -> Self {
+    pub(super) fn empty(tables: Arc<LodTables>) -> Self {
         Self {
             tables,
             split_count: 0,

@@ -39,7 +39,7 @@ pub use view::View;
 
 use std::sync::Arc;
 
-use self::tables::Tables;
+use self::tables::LodTables;
 use crate::file::{DecodeError, StriataFile};
 use crate::mesh::{CollapseSequence, IndexedMesh, RefinableMesh, replay};
 use crate::model::{Fans, LodStrips, ModelError, Mts, Patterns};
@@ -56,7 +56,7 @@ use crate::{Cancelled, ProgressFn, ignore_progress};
 /// [`level_mesh`](Self::level_mesh) does without any. Memory: the mesh plus about 40 bytes per vertex.
 #[derive(Clone, Debug)]
 pub struct Lod {
-    tables: Arc<Tables>,
+    tables: Arc<LodTables>,
 }
 
 impl Lod {
@@ -88,7 +88,7 @@ impl Lod {
     /// Wraps a mesh that already has a collapse sequence, such as a decoded stream; its errors count as
     /// estimates.
     pub fn from_refinable(refinable: RefinableMesh) -> Self {
-        Self { tables: Arc::new(Tables::new(refinable, false)) }
+        Self { tables: Arc::new(LodTables::new(refinable, false)) }
     }
 
     /// Returns the levels with at least `split_count` vertex splits; the first of them becomes the base mesh.
@@ -97,13 +97,13 @@ impl Lod {
     pub fn without_levels_below(&self, split_count: usize) -> Self {
         let first = split_count.min(self.step_count());
         let refinable = self.tables.refinable().clone().without_levels_below(first);
-        Self { tables: Arc::new(Tables::new(refinable, self.has_guaranteed_errors())) }
+        Self { tables: Arc::new(LodTables::new(refinable, self.has_guaranteed_errors())) }
     }
 
     /// Wraps a mesh whose errors are guaranteed bounds, as computed by
     /// [`certify_collapses_in_any_state`](crate::simplify::certify_collapses_in_any_state).
     pub fn from_certified(refinable: RefinableMesh) -> Self {
-        Self { tables: Arc::new(Tables::new(refinable, true)) }
+        Self { tables: Arc::new(LodTables::new(refinable, true)) }
     }
 
     /// Builds the fans now, which the first level or view would do otherwise. Reports progress; the callback can cancel.
@@ -122,7 +122,7 @@ impl Lod {
     /// [`DecodeError`] if the file is damaged, or [`DecodeError::NoCollapses`] if it was made by vertex
     /// removals instead of collapses.
     pub fn from_file(file: &StriataFile<'_>) -> Result<Self, DecodeError> {
-        Ok(Self { tables: Arc::new(Tables::from_file(file)?) })
+        Ok(Self { tables: Arc::new(LodTables::from_file(file)?) })
     }
 
     /// Takes over LodStrips from a file or another stripifier, instead of those that [`strips`](Self::strips) would

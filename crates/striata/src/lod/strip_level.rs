@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::tables::Tables;
+use super::tables::LodTables;
 use crate::model::{LodModel as _, LodStrips, LodStripsState, ModelError, StripBuffer};
 use crate::simplify::{StopReason, Target};
 
@@ -29,7 +29,7 @@ use crate::simplify::{StopReason, Target};
 /// ```
 #[derive(Clone, Debug)]
 pub struct StripLevel {
-    tables: Arc<Tables>,
+    tables: Arc<LodTables>,
     state: LodStripsState,
     buffer: StripBuffer,
     stop_reason: StopReason,
@@ -37,7 +37,7 @@ pub struct StripLevel {
 
 impl StripLevel {
     /// Shows the full mesh.
-    pub(super) fn full(tables: Arc<Tables>) -> Result<Self, ModelError> {
+    pub(super) fn full(tables: Arc<LodTables>) -> Result<Self, ModelError> {
         let model = tables.strips()?;
         let mut state = model.new_state();
         let buffer = StripBuffer::new(model, &mut state);

@@ -14,7 +14,7 @@ const GUARANTEED_ERRORS: (&str, &str) = ("errors", "guaranteed");
 
 /// The mesh in refinement order, and each model once it is needed.
 #[derive(Debug)]
-pub(super) struct Tables {
+pub(super) struct LodTables {
     refinable: RefinableMesh,
     /// With the bounding sphere of all positions.
     fans: OnceLock<(Fans, Sphere)>,
@@ -26,7 +26,7 @@ pub(super) struct Tables {
     has_guaranteed_errors: bool,
 }
 
-impl Tables {
+impl LodTables {
     pub(super) fn new(refinable: RefinableMesh, has_guaranteed_errors: bool) -> Self {
         Self {
             refinable,

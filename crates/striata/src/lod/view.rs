@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use super::tables::Tables;
+use super::tables::LodTables;
 use crate::model::{FanFront, FanTriangles, FanUpdate};
 use crate::view::{Camera, ScreenError};
 
@@ -14,13 +14,13 @@ use crate::view::{Camera, ScreenError};
 /// bit per step can use [`FanInstance`](crate::model::FanInstance).
 #[derive(Clone, Debug)]
 pub struct View {
-    tables: Arc<Tables>,
+    tables: Arc<LodTables>,
     front: FanFront<ScreenError>,
     triangles: FanTriangles,
 }
 
 impl View {
-    pub(super) fn new(tables: Arc<Tables>) -> Self {
+    pub(super) fn new(tables: Arc<LodTables>) -> Self {
         let front = FanFront::new(&tables.scene());
         let triangles = FanTriangles::new(tables.fans(), front.instance());
         Self { tables, front, triangles }

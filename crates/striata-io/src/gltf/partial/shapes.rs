@@ -3,15 +3,19 @@
 use striata::mesh::Semantic;
 
 use crate::error::Fault;
-use crate::gltf::accessor::Shape;
-use crate::gltf::document::{Document, stride};
+use crate::gltf::accessor::AccessorShape;
+use crate::gltf::document::{GltfDocument, stride};
 use crate::gltf::json::JsonNode;
 use crate::gltf::primitive::Primitive;
 
 /// Reads and checks the shape of accessor `index`. Nothing is decompressed for this.
-pub(super) fn shape(document: &Document<'_>, index: u64, from: &JsonNode<'_>) -> Result<Shape, Fault> {
+pub(super) fn shape(
+    document: &GltfDocument<'_>,
+    index: u64,
+    from: &JsonNode<'_>,
+) -> Result<AccessorShape, Fault> {
     let at = document.item("accessors", index, from)?;
-    let shape = Shape::parse(document, &at)?;
+    let shape = AccessorShape::parse(document, &at)?;
     if let Some(view) = at.unsigned("bufferView")? {
         let (size, stride) = document.view_size(view, &at)?;
         shape.place(&at, size, stride)?;
@@ -19,7 +23,7 @@ pub(super) fn shape(document: &Document<'_>, index: u64, from: &JsonNode<'_>) ->
     Ok(shape)
 }
 
-impl Document<'_> {
+impl GltfDocument<'_> {
     /// Returns the size in bytes that a buffer view has when it is decompressed, which this does not do, and
     /// its stride if it has one.
     pub(super) fn view_size(&self, index: u64, from: &JsonNode<'_>) -> Result<(u64, Option<usize>), Fault> {
@@ -38,10 +42,10 @@ impl Primitive<'_> {
     /// for this.
     pub(crate) fn shape(
         &self,
-        document: &Document<'_>,
+        document: &GltfDocument<'_>,
         semantic: Option<&Semantic>,
         index: u64,
-    ) -> Result<Shape, Fault> {
+    ) -> Result<AccessorShape, Fault> {
         match &self.draco {
             Some(_) => self.data(document, semantic, index).map(|accessor| accessor.shape),
             None => shape(document, index, &self.at),
@@ -49,7 +53,7 @@ impl Primitive<'_> {
     }
 
     /// Returns the shape of the indices of a primitive that is no compressed mesh.
-    pub(super) fn index_shape(&self, document: &Document<'_>) -> Result<Option<Shape>, Fault> {
+    pub(super) fn index_shape(&self, document: &GltfDocument<'_>) -> Result<Option<AccessorShape>, Fault> {
         self.indices.map(|index| shape(document, index, &self.at)).transpose()
     }
 }

@@ -7,10 +7,10 @@
 use std::ops::Range;
 
 use crate::error::Fault;
-use crate::gltf::accessor::{Accessor, Shape};
-use crate::gltf::component_type::ComponentType;
-use crate::gltf::document::Document;
-use crate::gltf::primitive::{Primitive, Topology, is_proper};
+use crate::gltf::accessor::{Accessor, AccessorShape};
+use crate::gltf::component_type::GltfComponentType;
+use crate::gltf::document::GltfDocument;
+use crate::gltf::primitive::{Primitive, PrimitiveTopology, is_proper};
 
 /// Number of indices of strips and fans that may be read regardless of the size of the file.
 const ALWAYS_READ: u64 = 1 << 26;
@@ -27,7 +27,7 @@ pub(crate) struct TriangleRuns<'d> {
     indices: Option<Accessor<'d>>,
     index_count: usize,
     vertex_count: usize,
-    topology: Topology,
+    topology: PrimitiveTopology,
 }
 
 /// Number of triangles of a primitive, and places of some of them.
@@ -46,12 +46,12 @@ impl TriangleCount {
     /// `read_count` is the number of indices that have been read; those of this primitive are added. It is
     /// limited by the size of the document, because primitives may share their indices.
     pub(crate) fn of(
-        document: &Document<'_>,
+        document: &GltfDocument<'_>,
         primitive: &Primitive<'_>,
         (vertex_count, run_size): (usize, usize),
         read_count: &mut u64,
     ) -> Result<Self, Fault> {
-        if primitive.topology != Topology::List || primitive.draco.is_some() {
+        if primitive.topology != PrimitiveTopology::List || primitive.draco.is_some() {
             let runs = TriangleRuns::of(document, primitive, vertex_count)?;
             *read_count += runs.index_count as u64;
             if *read_count > ALWAYS_READ.max(document.input_bytes.saturating_mul(INDICES_PER_INPUT_BYTE)) {
@@ -80,11 +80,11 @@ impl TriangleCount {
 }
 
 /// Refuses what cannot be indices.
-fn check(shape: &Shape) -> Result<(), Fault> {
+fn check(shape: &AccessorShape) -> Result<(), Fault> {
     if shape.component_count != 1 {
         return Err(shape.fault("indices must be SCALAR"));
     }
-    if !matches!(shape.component, ComponentType::U8 | ComponentType::U16 | ComponentType::U32) {
+    if !matches!(shape.component, GltfComponentType::U8 | GltfComponentType::U16 | GltfComponentType::U32) {
         return Err(shape.fault("indices must be unsigned integers"));
     }
     Ok(())
@@ -93,7 +93,7 @@ fn check(shape: &Shape) -> Result<(), Fault> {
 impl<'d> TriangleRuns<'d> {
     /// Opens the triangles of a primitive.
     pub(crate) fn of(
-        document: &'d Document<'_>,
+        document: &'d GltfDocument<'_>,
         primitive: &Primitive<'_>,
         vertex_count: usize,
     ) -> Result<Self, Fault> {
@@ -105,13 +105,13 @@ impl<'d> TriangleRuns<'d> {
 
     fn place_count(&self) -> usize {
         match self.topology {
-            Topology::List => self.index_count / 3,
-            Topology::Strip | Topology::Fan => self.index_count.saturating_sub(2),
+            PrimitiveTopology::List => self.index_count / 3,
+            PrimitiveTopology::Strip | PrimitiveTopology::Fan => self.index_count.saturating_sub(2),
         }
     }
 
     fn count(&self, run_size: usize) -> Result<TriangleCount, Fault> {
-        if self.topology == Topology::List {
+        if self.topology == PrimitiveTopology::List {
             return Ok(TriangleCount {
                 triangle_count: self.place_count() as u64,
                 ..TriangleCount::default()
@@ -131,7 +131,7 @@ impl<'d> TriangleRuns<'d> {
     /// Reads `count` triangles from a place on, or as many as there are.
     pub(crate) fn read(&self, place: u64, count: usize) -> Result<Vec<[u32; 3]>, Fault> {
         let first = usize::try_from(place).unwrap_or(usize::MAX).min(self.place_count());
-        if self.topology == Topology::List {
+        if self.topology == PrimitiveTopology::List {
             let end = first.saturating_add(count).min(self.place_count());
             return Ok(self.numbers(3 * first..3 * end)?.as_chunks::<3>().0.to_vec());
         }
@@ -147,7 +147,7 @@ impl<'d> TriangleRuns<'d> {
 
     /// Visits the triangles of a strip or fan from a place on, while `visit` returns true.
     fn visit(&self, first: usize, mut visit: impl FnMut(usize, [u32; 3]) -> bool) -> Result<(), Fault> {
-        let is_strip = self.topology == Topology::Strip;
+        let is_strip = self.topology == PrimitiveTopology::Strip;
         let hub = if self.place_count() > 0 && !is_strip { self.numbers(0..1)?[0] } else { 0 };
         let places_at_once = self.indices.as_ref().map_or(0, Accessor::replaced_count).max(PLACES_AT_ONCE);
         let mut next = first;

@@ -3,12 +3,12 @@
 use serde_json::{Value, json};
 
 use super::super::accessor::Accessor;
-use super::super::component_type::ComponentType;
+use super::super::component_type::GltfComponentType;
 
 /// All elements of an accessor.
 #[derive(Clone, Debug)]
 pub(super) struct Elements {
-    pub component: ComponentType,
+    pub component: GltfComponentType,
     /// Number of components of an element.
     pub width: usize,
     pub normalized: bool,
@@ -32,14 +32,20 @@ impl Elements {
     /// Creates elements of floats.
     pub(super) fn floats(numbers: &[f32], width: usize) -> Self {
         let bytes = numbers.iter().flat_map(|x| x.to_le_bytes()).collect();
-        Self { component: ComponentType::F32, width, normalized: false, count: numbers.len() / width, bytes }
+        Self {
+            component: GltfComponentType::F32,
+            width,
+            normalized: false,
+            count: numbers.len() / width,
+            bytes,
+        }
     }
 
     /// Creates elements of integers, which must fit into the component type.
     pub(super) fn integers(
         numbers: impl IntoIterator<Item = i64>,
         width: usize,
-        component: ComponentType,
+        component: GltfComponentType,
     ) -> Self {
         let size = component.bytes();
         let mut bytes = Vec::new();
@@ -97,12 +103,12 @@ impl Elements {
         word[..size].copy_from_slice(&self.bytes[place * size..(place + 1) * size]);
         let [a, b, ..] = word;
         match self.component {
-            ComponentType::I8 => f64::from(a as i8),
-            ComponentType::U8 => f64::from(a),
-            ComponentType::I16 => f64::from(i16::from_le_bytes([a, b])),
-            ComponentType::U16 => f64::from(u16::from_le_bytes([a, b])),
-            ComponentType::U32 => f64::from(u32::from_le_bytes(word)),
-            ComponentType::F32 => f64::from(f32::from_le_bytes(word)),
+            GltfComponentType::I8 => f64::from(a as i8),
+            GltfComponentType::U8 => f64::from(a),
+            GltfComponentType::I16 => f64::from(i16::from_le_bytes([a, b])),
+            GltfComponentType::U16 => f64::from(u16::from_le_bytes([a, b])),
+            GltfComponentType::U32 => f64::from(u32::from_le_bytes(word)),
+            GltfComponentType::F32 => f64::from(f32::from_le_bytes(word)),
         }
     }
 
@@ -115,7 +121,7 @@ impl Elements {
         }
         let list = |side: usize| {
             let number = |bound: &[f64; 2]| match self.component {
-                ComponentType::F32 => json!(bound[side]),
+                GltfComponentType::F32 => json!(bound[side]),
                 _ => json!(bound[side] as i64),
             };
             bounds.iter().map(number).collect::<Vec<Value>>()

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::gltf::document::Document;
+use crate::gltf::document::GltfDocument;
 
 /// glTF document before it is embedded into a file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -35,8 +35,8 @@ impl GltfParts {
 }
 
 /// Opens a snapshot of a document for reading.
-pub(super) fn open<'a>(snapshot: &'a Value, binary: &'a [u8]) -> Document<'a> {
-    Document::of_parts(snapshot, binary)
+pub(super) fn open<'a>(snapshot: &'a Value, binary: &'a [u8]) -> GltfDocument<'a> {
+    GltfDocument::of_parts(snapshot, binary)
 }
 
 /// Returns the number of entries of an array at the root; 0 if there is none.

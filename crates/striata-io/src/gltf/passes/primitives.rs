@@ -8,7 +8,7 @@ pub(super) const TRIANGLES: u64 = 4;
 
 /// Primitive whose references are well-formed; what they refer to is unchecked.
 #[derive(Clone, Debug)]
-pub(super) struct Primitive {
+pub(super) struct PassPrimitive {
     pub mesh: usize,
     /// Place among the primitives of the mesh.
     pub place: usize,
@@ -22,7 +22,7 @@ pub(super) struct Primitive {
     pub extensions: Vec<String>,
 }
 
-impl Primitive {
+impl PassPrimitive {
     /// Whether the primitive draws triangles.
     pub(super) fn has_triangles(&self) -> bool {
         (4..=6).contains(&self.mode)
@@ -45,11 +45,11 @@ impl Primitive {
 }
 
 /// Returns all primitives; the second list says for each mesh whether all of its primitives could be read.
-pub(super) fn primitives(root: &Value) -> (Vec<Primitive>, Vec<bool>) {
+pub(super) fn primitives(root: &Value) -> (Vec<PassPrimitive>, Vec<bool>) {
     let (mut found, mut are_read) = (Vec::new(), Vec::new());
     for (mesh, value) in entries(root, "meshes").iter().enumerate() {
         let list = entries(value, "primitives");
-        let parsed: Vec<Option<Primitive>> =
+        let parsed: Vec<Option<PassPrimitive>> =
             list.iter().enumerate().map(|(place, primitive)| parse(primitive, mesh, place)).collect();
         are_read.push(parsed.iter().all(Option::is_some));
         found.extend(parsed.into_iter().flatten());
@@ -57,7 +57,7 @@ pub(super) fn primitives(root: &Value) -> (Vec<Primitive>, Vec<bool>) {
     (found, are_read)
 }
 
-fn parse(value: &Value, mesh: usize, place: usize) -> Option<Primitive> {
+fn parse(value: &Value, mesh: usize, place: usize) -> Option<PassPrimitive> {
     let optional = |key: &str| match value.get(key) {
         None => Some(None),
         Some(member) => index(member).map(Some),
@@ -70,7 +70,7 @@ fn parse(value: &Value, mesh: usize, place: usize) -> Option<Primitive> {
         None => Vec::new(),
         Some(extensions) => extensions.as_object()?.keys().cloned().collect(),
     };
-    Some(Primitive {
+    Some(PassPrimitive {
         mesh,
         place,
         mode: optional("mode")?.unwrap_or(TRIANGLES),

@@ -5,11 +5,11 @@ use std::ops::Range;
 
 use striata::mesh::{IndexedMesh, LayerData, Semantic};
 
-use super::cuts::Part;
-use super::outline::{Outline, PrimitiveOutline, Shown};
+use super::cuts::CutPart;
+use super::outline::{OutlinePrimitive, PrimitiveOutline, SceneOutline};
 use crate::error::Fault;
 use crate::gltf::parts::{
-    Accessor, Document, Primitive, Transform, TriangleRuns, append, document_fault, fill,
+    Accessor, GltfDocument, Primitive, Transform, TriangleRuns, append, document_fault, fill,
 };
 use crate::pieces::local::localize;
 
@@ -21,16 +21,16 @@ const BYTES_PER_INPUT_BYTE: u64 = 64;
 
 /// Mesh under construction.
 pub(super) struct Assembly<'s> {
-    outline: &'s Outline,
-    document: &'s Document<'s>,
+    outline: &'s SceneOutline,
+    document: &'s GltfDocument<'s>,
     pub mesh: IndexedMesh,
     /// Group of each triangle.
     pub groups: Vec<u32>,
 }
 
 /// Vertices that some parts have in common.
-pub(super) struct Batch {
-    shown: Shown,
+pub(super) struct AssemblyBatch {
+    shown: OutlinePrimitive,
     /// Number of each vertex in the accessors, increasing.
     pub numbers: Vec<u32>,
     /// The vertices in the mesh.
@@ -38,14 +38,14 @@ pub(super) struct Batch {
 }
 
 impl<'s> Assembly<'s> {
-    pub(super) fn new(outline: &'s Outline, document: &'s Document<'s>) -> Self {
+    pub(super) fn new(outline: &'s SceneOutline, document: &'s GltfDocument<'s>) -> Self {
         let layers = outline.formats.iter().map(|(semantic, format)| format.layer(semantic, 0));
         let mesh = IndexedMesh { layers: layers.collect(), ..IndexedMesh::default() };
         Self { outline, document, mesh, groups: Vec::new() }
     }
 
     /// Adds parts that have their vertices in common. Normals that the file lacks are zero.
-    pub(super) fn add(&mut self, parts: &[Part]) -> Result<Batch, Fault> {
+    pub(super) fn add(&mut self, parts: &[CutPart]) -> Result<AssemblyBatch, Fault> {
         let shown = self.outline.shown[parts[0].shown];
         let placement = &self.outline.placements[shown.placement as usize];
         let transform = placement.transform();
@@ -58,13 +58,13 @@ impl<'s> Assembly<'s> {
         self.check_size(vertices.end)?;
         let first = vertices.start as u32;
         self.mesh.triangles.extend(triangles.iter().map(|triangle| triangle.map(|vertex| vertex + first)));
-        let batch = Batch { shown, numbers, vertices };
+        let batch = AssemblyBatch { shown, numbers, vertices };
         self.add_vertices(&batch, transform.as_ref())?;
         placement.pose.apply(&mut self.mesh, batch.vertices.clone());
         Ok(batch)
     }
 
-    fn primitive_of(&self, shown: Shown) -> Result<(Primitive<'s>, &'s PrimitiveOutline), Fault> {
+    fn primitive_of(&self, shown: OutlinePrimitive) -> Result<(Primitive<'s>, &'s PrimitiveOutline), Fault> {
         let outline = &self.outline.primitives[shown.primitive as usize];
         let mesh = self.document.item("meshes", outline.mesh, &self.document.root)?;
         let at = mesh.entry("primitives", outline.index)?;
@@ -75,9 +75,9 @@ impl<'s> Assembly<'s> {
     }
 
     /// Reads the triangles of all parts, and notes their groups.
-    fn triangles(&mut self, parts: &[Part]) -> Result<Vec<[u32; 3]>, Fault> {
+    fn triangles(&mut self, parts: &[CutPart]) -> Result<Vec<[u32; 3]>, Fault> {
         let mut triangles = Vec::new();
-        for Part { shown, triangles: range } in parts {
+        for CutPart { shown, triangles: range } in parts {
             let shown = self.outline.shown[*shown];
             let (primitive, outline) = self.primitive_of(shown)?;
             let runs = TriangleRuns::of(self.document, &primitive, outline.vertex_count)?;
@@ -104,7 +104,7 @@ impl<'s> Assembly<'s> {
     }
 
     /// Appends the positions and layers of a batch.
-    fn add_vertices(&mut self, batch: &Batch, transform: Option<&Transform>) -> Result<(), Fault> {
+    fn add_vertices(&mut self, batch: &AssemblyBatch, transform: Option<&Transform>) -> Result<(), Fault> {
         let document = self.document;
         let (primitive, outline) = self.primitive_of(batch.shown)?;
         let accessor = primitive.positions(document)?;
@@ -142,7 +142,7 @@ impl<'s> Assembly<'s> {
     }
 
     /// Sets the normals of a batch; `normals` are those of all vertices of its accessors.
-    pub(super) fn set_normals(&mut self, batch: &Batch, normals: &[[f32; 3]]) {
+    pub(super) fn set_normals(&mut self, batch: &AssemblyBatch, normals: &[[f32; 3]]) {
         let layer = self.mesh.layers.iter_mut().find(|layer| layer.semantic == Semantic::Normal);
         if let Some(LayerData::F32(data)) = layer.map(|layer| &mut layer.data) {
             let (own, _) = data[3 * batch.vertices.start..3 * batch.vertices.end].as_chunks_mut::<3>();
@@ -153,7 +153,7 @@ impl<'s> Assembly<'s> {
     }
 }
 
-impl Batch {
+impl AssemblyBatch {
     /// Number of the block whose normals the batch needs, if the file lacks them.
     pub(super) fn block(&self) -> Option<usize> {
         self.shown.block()

@@ -3,10 +3,10 @@
 use striata::mesh::IndexedMesh;
 
 use super::assembly::Assembly;
-use super::cuts::Part;
-use super::outline::Outline;
+use super::cuts::CutPart;
+use super::outline::SceneOutline;
 use crate::error::Fault;
-use crate::gltf::parts::{Document, document_fault};
+use crate::gltf::parts::{GltfDocument, document_fault};
 use crate::normals::NormalSums;
 
 /// Number of triangles of a block regardless of the size of the scene.
@@ -20,9 +20,9 @@ const TRIANGLES_PER_INPUT_BYTE: u64 = 1;
 ///
 /// The triangles are read piece by piece, and nothing else is kept for them but three numbers per vertex.
 pub(super) fn block_normals(
-    outline: &Outline,
+    outline: &SceneOutline,
     block: usize,
-    (document, piece_size): (&Document<'_>, usize),
+    (document, piece_size): (&GltfDocument<'_>, usize),
 ) -> Result<Vec<[f32; 3]>, Fault> {
     let shown = &outline.blocks[block];
     let counts = shown.iter().map(|&shown| outline.triangle_count_of(&outline.shown[shown as usize]));
@@ -39,7 +39,8 @@ pub(super) fn block_normals(
     for &shown in shown {
         let count = outline.triangle_count_of(&outline.shown[shown as usize]);
         for first in (0..count).step_by(piece_size) {
-            let part = Part { shown: shown as usize, triangles: first..count.min(first + piece_size as u64) };
+            let part =
+                CutPart { shown: shown as usize, triangles: first..count.min(first + piece_size as u64) };
             let mut assembly = Assembly::new(outline, document);
             let batch = assembly.add(&[part])?;
             let IndexedMesh { positions, triangles, .. } = &assembly.mesh;

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 /// Triangles of one shown primitive in a piece.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Part {
+pub(super) struct CutPart {
     /// Number of the shown primitive.
     pub shown: usize,
     pub triangles: Range<u64>,
@@ -59,12 +59,12 @@ impl Cuts {
     }
 
     /// Returns the parts of an existing piece; `count` is the number of triangles of a shown primitive.
-    pub(super) fn parts(&self, piece: u64, count: impl Fn(usize) -> u64) -> Vec<Part> {
+    pub(super) fn parts(&self, piece: u64, count: impl Fn(usize) -> u64) -> Vec<CutPart> {
         let run = &self.runs[self.runs.partition_point(|run| run.first_piece <= piece) - 1];
         let first = (piece - run.first_piece) * self.piece_size;
         let part = |shown: u32| {
             let shown = shown as usize;
-            Part { shown, triangles: first..count(shown).min(first + self.piece_size) }
+            CutPart { shown, triangles: first..count(shown).min(first + self.piece_size) }
         };
         run.shown.clone().map(part).collect()
     }

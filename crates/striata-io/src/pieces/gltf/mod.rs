@@ -16,10 +16,10 @@ use striata::mesh::IndexedMesh;
 
 use self::assembly::Assembly;
 use self::block_normals::block_normals;
-use self::cuts::{Cuts, Part};
+use self::cuts::{CutPart, Cuts};
 use self::opened::OpenedDocument;
-use self::outline::Outline;
-use super::input::Input;
+use self::outline::SceneOutline;
+use super::input::PieceInput;
 use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::color_space::set_linear;
 use crate::error::{Fault, Place};
@@ -33,7 +33,7 @@ const MAX_PIECE_SIZE: usize = 1 << 28;
 /// glTF or GLB file.
 pub(crate) struct GltfPieces {
     opened: OpenedDocument,
-    outline: Outline,
+    outline: SceneOutline,
     cuts: Cuts,
     summary: PieceSummary,
     piece_size: usize,
@@ -43,11 +43,11 @@ pub(crate) struct GltfPieces {
 
 impl GltfPieces {
     /// Opens a file and the files of its buffers.
-    pub(crate) fn open(input: Input, format: Format, options: &PieceOptions) -> Result<Self, ReadError> {
+    pub(crate) fn open(input: PieceInput, format: Format, options: &PieceOptions) -> Result<Self, ReadError> {
         let piece_size = options.piece_size().min(MAX_PIECE_SIZE);
         let mut warnings = Warnings::of_file(&input.name);
         let opened = OpenedDocument::open(input, format, &mut warnings)?;
-        let outline = Outline::of(&opened, piece_size);
+        let outline = SceneOutline::of(&opened, piece_size);
         let read = outline.and_then(|mut outline| {
             let document = opened.document()?;
             let origin = outline.move_to_origin(&document, options.origin)?;
@@ -89,7 +89,7 @@ impl GltfPieces {
         let parts =
             self.cuts.parts(index, |shown| self.outline.triangle_count_of(&self.outline.shown[shown]));
         let mut assembly = Assembly::new(&self.outline, &document);
-        let shown = |part: &Part| self.outline.shown[part.shown];
+        let shown = |part: &CutPart| self.outline.shown[part.shown];
         for parts in parts.chunk_by(|a, b| self.outline.share_vertices(shown(a), shown(b))) {
             let batch = assembly.add(parts)?;
             if let Some(block) = batch.block() {

@@ -6,9 +6,9 @@ use serde_json::Value;
 
 use crate::error::Fault;
 use crate::gltf::parts::{
-    Buffers, Document, JsonNode, UnpackedCache, check_requirements, chunk_ranges, parse,
+    Buffers, GltfDocument, JsonNode, UnpackedCache, check_requirements, chunk_ranges, parse,
 };
-use crate::pieces::input::Input;
+use crate::pieces::input::PieceInput;
 use crate::pieces::scratch::Mapped;
 use crate::report::Warnings;
 use crate::{Format, ReadError};
@@ -20,7 +20,7 @@ const MAX_ELEMENTS: u64 = 1 << 40;
 pub(super) struct OpenedDocument {
     root: Value,
     json_bytes: usize,
-    input: Input,
+    input: PieceInput,
     /// Range of the binary chunk in the file, bytes; [`None`] if there is none.
     chunk: Option<Range<usize>>,
     buffers: Buffers<Mapped>,
@@ -30,7 +30,11 @@ pub(super) struct OpenedDocument {
 
 impl OpenedDocument {
     /// Parses the document and maps its buffers.
-    pub(super) fn open(input: Input, format: Format, warnings: &mut Warnings) -> Result<Self, ReadError> {
+    pub(super) fn open(
+        input: PieceInput,
+        format: Format,
+        warnings: &mut Warnings,
+    ) -> Result<Self, ReadError> {
         let in_file = |fault: Fault| fault.in_file(&input.name);
         let (json, chunk) = match format {
             Format::Glb => chunk_ranges(&input.bytes, warnings).map_err(in_file)?,
@@ -56,23 +60,23 @@ impl OpenedDocument {
     }
 
     /// Creates a document for one thread, which shares what it decompresses with others.
-    pub(super) fn document(&self) -> Result<Document<'_>, Fault> {
+    pub(super) fn document(&self) -> Result<GltfDocument<'_>, Fault> {
         let chunk = self.chunk.clone().map(|range| &self.input.bytes[range]);
         let (root, buffers) = ((&self.root, self.json_bytes), (&self.buffers, chunk));
-        let mut document = Document::new(root, buffers, self.input.source())?;
+        let mut document = GltfDocument::new(root, buffers, self.input.source())?;
         document.max_elements = MAX_ELEMENTS;
         document.unpacked.share(&self.cache);
         Ok(document)
     }
 
     /// Creates a document to read a piece with.
-    pub(super) fn document_of_piece(&self) -> Result<Document<'_>, Fault> {
+    pub(super) fn document_of_piece(&self) -> Result<GltfDocument<'_>, Fault> {
         self.cache.begin_read();
         self.document()
     }
 
     /// Creates a document to go on with where little of what the last one has decompressed is needed.
-    pub(super) fn document_after(&self, last: &Document<'_>) -> Result<Document<'_>, Fault> {
+    pub(super) fn document_after(&self, last: &GltfDocument<'_>) -> Result<GltfDocument<'_>, Fault> {
         self.cache.expire();
         let mut document = self.document()?;
         document.unpacked.count(last.unpacked.bytes());

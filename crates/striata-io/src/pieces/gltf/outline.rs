@@ -10,7 +10,7 @@ use striata::mesh::Semantic;
 use super::opened::OpenedDocument;
 use crate::error::Fault;
 use crate::gltf::parts::{
-    Document, DracoKey, DracoLink, Instance, LayerFormats, Primitive, RestPose, Transform, TriangleCount,
+    DracoKey, DracoLink, GltfDocument, Instance, LayerFormats, Primitive, RestPose, Transform, TriangleCount,
     add_vertices, document_fault, origin_of_corners, placed_corners, visit_instances,
 };
 use crate::pieces::PieceGroup;
@@ -35,11 +35,11 @@ const NO_BLOCK: u32 = u32::MAX;
 
 /// Everything that a scene shows.
 #[derive(Default)]
-pub(super) struct Outline {
+pub(super) struct SceneOutline {
     pub primitives: Vec<PrimitiveOutline>,
-    pub placements: Vec<Placement>,
+    pub placements: Vec<NodePlacement>,
     /// In tree order.
-    pub shown: Vec<Shown>,
+    pub shown: Vec<OutlinePrimitive>,
     pub formats: LayerFormats,
     pub groups: Vec<PieceGroup>,
     pub triangle_count: u64,
@@ -63,21 +63,21 @@ pub(super) struct PrimitiveOutline {
 }
 
 /// Transform and pose in which a node shows a mesh.
-pub(super) struct Placement {
+pub(super) struct NodePlacement {
     matrix: DMat4,
     pub pose: RestPose,
 }
 
 /// One primitive as shown by one node.
 #[derive(Clone, Copy)]
-pub(super) struct Shown {
+pub(super) struct OutlinePrimitive {
     pub primitive: u32,
     pub placement: u32,
     pub group: u32,
     block: u32,
 }
 
-impl Placement {
+impl NodePlacement {
     /// Transform from the mesh to the scene; [`None`] for the identity.
     pub(super) fn transform(&self) -> Option<Transform> {
         Transform::new(self.matrix)
@@ -94,19 +94,19 @@ fn bits(matrix: &DMat4) -> Option<[u64; 16]> {
     (*matrix != DMat4::IDENTITY).then(|| matrix.to_cols_array().map(f64::to_bits))
 }
 
-impl Shown {
+impl OutlinePrimitive {
     /// Number of the block whose normals are computed, if it is one.
     pub(super) fn block(&self) -> Option<usize> {
         (self.block != NO_BLOCK).then_some(self.block as usize)
     }
 }
 
-impl Outline {
+impl SceneOutline {
     /// Makes all placements relative to an origin: the given one, or one near the scene if it is far from zero.
     /// Skins have transforms of their own, and keep an origin of zero.
     pub(super) fn move_to_origin(
         &mut self,
-        document: &Document<'_>,
+        document: &GltfDocument<'_>,
         given: Option<[f64; 3]>,
     ) -> Result<[f64; 3], Fault> {
         if self.placements.iter().any(|placement| placement.pose.has_skin()) {
@@ -125,7 +125,7 @@ impl Outline {
         Ok(origin)
     }
 
-    fn corners(&self, document: &Document<'_>) -> Result<Vec<[f64; 3]>, Fault> {
+    fn corners(&self, document: &GltfDocument<'_>) -> Result<Vec<[f64; 3]>, Fault> {
         let mut corners = Vec::new();
         let mut known = BTreeSet::new();
         for shown in self.shown.iter().filter(|shown| known.insert((shown.primitive, shown.placement))) {
@@ -171,13 +171,13 @@ impl Outline {
     }
 
     /// Returns the number of triangles of a shown primitive.
-    pub(super) fn triangle_count_of(&self, shown: &Shown) -> u64 {
+    pub(super) fn triangle_count_of(&self, shown: &OutlinePrimitive) -> u64 {
         self.primitives[shown.primitive as usize].triangles.triangle_count
     }
 
     /// Whether two shown primitives have the same vertices at the same place.
-    pub(super) fn share_vertices(&self, a: Shown, b: Shown) -> bool {
-        let vertex_set = |shown: Shown| self.primitives[shown.primitive as usize].vertex_set;
+    pub(super) fn share_vertices(&self, a: OutlinePrimitive, b: OutlinePrimitive) -> bool {
+        let vertex_set = |shown: OutlinePrimitive| self.primitives[shown.primitive as usize].vertex_set;
         a.placement == b.placement && vertex_set(a) == vertex_set(b)
     }
 
@@ -206,9 +206,9 @@ type VertexKey = (u64, Vec<(Semantic, u64)>, Option<DracoKey>);
 
 struct OutlineWalk<'a> {
     opened: &'a OpenedDocument,
-    document: Document<'a>,
+    document: GltfDocument<'a>,
     run_size: usize,
-    outline: Outline,
+    outline: SceneOutline,
     /// Primitives of each mesh.
     primitives_of: BTreeMap<u64, Range<u32>>,
     vertex_sets: BTreeMap<VertexKey, u32>,
@@ -218,7 +218,7 @@ struct OutlineWalk<'a> {
     /// Number of indices of strips and fans that have been read.
     counted: u64,
     /// Primitive before the current one, if it is a fan.
-    fans_before: Option<Shown>,
+    fans_before: Option<OutlinePrimitive>,
 }
 
 impl<'a> OutlineWalk<'a> {
@@ -230,18 +230,18 @@ impl<'a> OutlineWalk<'a> {
         self.check_size(primitives.len() as u64, instance.name)?;
         let placements = &mut self.outline.placements;
         if placements.last().is_none_or(|last| !last.is_at(instance)) {
-            placements.push(Placement { matrix: instance.matrix, pose: instance.pose.clone() });
+            placements.push(NodePlacement { matrix: instance.matrix, pose: instance.pose.clone() });
         }
         let placement = placements.len() as u32 - 1;
         for primitive in primitives {
-            let shown = Shown { primitive, placement, group: 0, block: NO_BLOCK };
+            let shown = OutlinePrimitive { primitive, placement, group: 0, block: NO_BLOCK };
             self.add_shown(shown, instance.name);
         }
         Ok(())
     }
 
     /// Adds a primitive to the last group if both are fans of one object, and otherwise to a new group.
-    fn add_shown(&mut self, mut shown: Shown, name: &str) {
+    fn add_shown(&mut self, mut shown: OutlinePrimitive, name: &str) {
         let outline = &mut self.outline;
         let PrimitiveOutline { material, is_fan, .. } = outline.primitives[shown.primitive as usize];
         let continues =

@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex};
 use tiff::decoder::{Decoder, DecodingResult};
 use tiff::tags::Tag;
 
-use super::raster::{Placement, Raster, malformed};
+use super::raster::{Raster, RasterPlacement, malformed};
 use crate::ReadError;
 
 /// Strips and tiles that stay decoded.
@@ -37,7 +37,7 @@ pub(super) struct GeoTiff {
     scale: [f64; 2],
     /// Whether the first row of the file is the southernmost.
     is_from_south: bool,
-    placement: Placement,
+    placement: RasterPlacement,
     state: Mutex<State>,
 }
 
@@ -141,7 +141,7 @@ fn placement(
     decoder: &mut Decoder<BufReader<File>>,
     name: &str,
     size: [u64; 2],
-) -> Result<(Placement, bool), ReadError> {
+) -> Result<(RasterPlacement, bool), ReadError> {
     let scale = decoder.get_tag_f64_vec(Tag::ModelPixelScaleTag).ok();
     let tie = decoder.get_tag_f64_vec(Tag::ModelTiepointTag).ok();
     // The identity is what programs write that know no place.
@@ -174,7 +174,7 @@ fn placement(
     let half = if key(RASTER_TYPE) == Some(2) || scale.is_none() && transform.is_none() { 0.0 } else { 0.5 };
     let down = if is_from_south { -half } else { half };
     let (west, north) = (west + half * step[0], north - down * step[1]);
-    Ok((Placement { west, north, step, is_geographic, epsg }, is_from_south))
+    Ok((RasterPlacement { west, north, step, is_geographic, epsg }, is_from_south))
 }
 
 impl Raster for GeoTiff {
@@ -186,7 +186,7 @@ impl Raster for GeoTiff {
         self.size
     }
 
-    fn placement(&self) -> &Placement {
+    fn placement(&self) -> &RasterPlacement {
         &self.placement
     }
 

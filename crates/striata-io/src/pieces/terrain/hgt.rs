@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
-use super::raster::{Placement, Raster, malformed};
+use super::raster::{Raster, RasterPlacement, malformed};
 use crate::ReadError;
 
 /// The height of samples without a height.
@@ -15,7 +15,7 @@ pub(super) struct Hgt {
     path: PathBuf,
     name: String,
     side: u64,
-    placement: Placement,
+    placement: RasterPlacement,
 }
 
 impl Hgt {
@@ -33,8 +33,13 @@ impl Hgt {
             return Err(malformed(&name, "the name is not that of an SRTM tile, such as N35E138.hgt"));
         };
         let step = 1.0 / (side - 1) as f64;
-        let placement =
-            Placement { west, north: south + 1.0, step: [step; 2], is_geographic: true, epsg: Some(4326) };
+        let placement = RasterPlacement {
+            west,
+            north: south + 1.0,
+            step: [step; 2],
+            is_geographic: true,
+            epsg: Some(4326),
+        };
         Ok(Self { path: path.to_owned(), name, side, placement })
     }
 }
@@ -61,7 +66,7 @@ impl Raster for Hgt {
         [self.side; 2]
     }
 
-    fn placement(&self) -> &Placement {
+    fn placement(&self) -> &RasterPlacement {
         &self.placement
     }
 

@@ -17,7 +17,7 @@ use striata::mesh::IndexedMesh;
 use super::{Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::ReadError;
 use crate::error::Place;
-use raster::{Placement, Raster};
+use raster::{Raster, RasterPlacement};
 
 /// Quads along each side of a piece.
 const BLOCK: u64 = 224;
@@ -150,7 +150,7 @@ impl Terrain {
 }
 
 /// Distances of neighboring samples in mesh units: meters if the grid is in degrees.
-fn steps_in_units(placement: &Placement, north: f64, height: u64) -> [f64; 2] {
+fn steps_in_units(placement: &RasterPlacement, north: f64, height: u64) -> [f64; 2] {
     if !placement.is_geographic {
         return placement.step;
     }
@@ -159,7 +159,7 @@ fn steps_in_units(placement: &Placement, north: f64, height: u64) -> [f64; 2] {
     [placement.step[0] * METERS_PER_DEGREE * across, placement.step[1] * METERS_PER_DEGREE]
 }
 
-fn georeference(placement: &Placement, corner: [f64; 2], (step, z_scale): ([f64; 2], f64)) -> Value {
+fn georeference(placement: &RasterPlacement, corner: [f64; 2], (step, z_scale): ([f64; 2], f64)) -> Value {
     json!({
         "origin": corner,
         "sample_step": placement.step,
@@ -174,7 +174,7 @@ fn misplaced(name: &str, reason: &str) -> ReadError {
     ReadError::Malformed { file: name.to_owned(), place: Place::File, reason: reason.to_owned() }
 }
 
-fn check_same_grid(name: &str, first: &Placement, other: &Placement) -> Result<(), ReadError> {
+fn check_same_grid(name: &str, first: &RasterPlacement, other: &RasterPlacement) -> Result<(), ReadError> {
     if first.epsg != other.epsg || first.is_geographic != other.is_geographic {
         return Err(misplaced(name, "its coordinate system differs from that of the first raster"));
     }

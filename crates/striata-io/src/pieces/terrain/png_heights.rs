@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
-use super::raster::{Placement, Raster, malformed};
+use super::raster::{Raster, RasterPlacement, malformed};
 use crate::ReadError;
 
 /// Images larger than this are refused, in pixels: they have to be decoded as a whole.
@@ -15,7 +15,7 @@ pub(super) struct PngHeights {
     name: String,
     size: [u64; 2],
     values: Vec<u16>,
-    placement: Placement,
+    placement: RasterPlacement,
 }
 
 impl PngHeights {
@@ -47,7 +47,8 @@ impl PngHeights {
             pixels.into_iter().map(u16::from).collect()
         };
         let north = (size[1] - 1) as f64;
-        let placement = Placement { west: 0.0, north, step: [1.0; 2], is_geographic: false, epsg: None };
+        let placement =
+            RasterPlacement { west: 0.0, north, step: [1.0; 2], is_geographic: false, epsg: None };
         Ok(Self { name, size, values, placement })
     }
 }
@@ -61,7 +62,7 @@ impl Raster for PngHeights {
         self.size
     }
 
-    fn placement(&self) -> &Placement {
+    fn placement(&self) -> &RasterPlacement {
         &self.placement
     }
 

@@ -5,7 +5,7 @@ use crate::error::Place;
 
 /// Coordinates of the samples of a raster.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Placement {
+pub(super) struct RasterPlacement {
     /// Coordinates of the upper left sample.
     pub west: f64,
     pub north: f64,
@@ -24,7 +24,7 @@ pub(super) trait Raster: Send + Sync {
     /// Columns and rows.
     fn size(&self) -> [u64; 2];
     /// Coordinates of the samples.
-    fn placement(&self) -> &Placement;
+    fn placement(&self) -> &RasterPlacement;
     /// Whether heights are samples as they are; otherwise the raster itself leaves out samples without heights.
     fn is_raw(&self) -> bool {
         true

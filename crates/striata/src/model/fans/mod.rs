@@ -66,7 +66,7 @@ pub use table_fan::{ArcMaker, TableFan};
 
 use self::quick_table::LazyQuickTable;
 use self::step_counts::StepCounts;
-use self::table::{Entry, Table};
+use self::table::{FanEntry, FanTable};
 use super::step_bounds::StepBounds;
 use super::step_vertices::StepVertices;
 use super::{DrawCounts, LodModel, PartBytes, StoredModel, Topology};
@@ -77,7 +77,7 @@ pub struct Fans {
     vertices: StepVertices<'static>,
     step_count: usize,
     group_count: usize,
-    table: Table,
+    table: FanTable,
     /// Pairs of a step and an additional step that must be collapsed before it, ascending.
     waits: Vec<[u32; 2]>,
     /// Pairs of a step and the step of its target, for targets that are not in the ring, ascending.
@@ -141,13 +141,13 @@ impl Fans {
 
     /// Returns the fans of a base vertex.
     #[inline]
-    fn base_entry(&self, vertex: u32) -> Entry<'_> {
+    fn base_entry(&self, vertex: u32) -> FanEntry<'_> {
         self.table.entry(vertex, 0)
     }
 
     /// Returns the fans of a vertex that a step removes.
     #[inline]
-    fn step_entry(&self, vertex: u32, step: u32) -> Entry<'_> {
+    fn step_entry(&self, vertex: u32, step: u32) -> FanEntry<'_> {
         self.table.entry(vertex, step + 1)
     }
 

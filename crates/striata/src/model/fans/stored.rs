@@ -1,7 +1,7 @@
 //! Converts a table to and from the arrays of the file format.
 
 use super::step_counts::StepCounts;
-use super::table::{Table, TableArrays};
+use super::table::{FanTable, TableArrays};
 use super::{Fans, validate};
 use crate::model::ModelError;
 use crate::model::step_bounds::StepBounds;
@@ -43,7 +43,7 @@ impl Fans {
         let step_count = removed.map_or_else(|| vertices.step_count(), <[u8]>::len);
         vertices.check_firsts(step_count)?;
         let arrays = TableArrays { entries, blocks, starts };
-        let table = Table::from_arrays(arrays, vertices.vertex_count, group_count > 1)?;
+        let table = FanTable::from_arrays(arrays, vertices.vertex_count, group_count > 1)?;
         let mut fans = Self {
             vertices: vertices.without_targets().shortened(),
             step_count,

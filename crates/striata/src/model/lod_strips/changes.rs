@@ -9,7 +9,7 @@ const WORD: usize = 8;
 
 /// Blocks of slots that have changed since the last synchronization, or the whole stage.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Changes {
+pub(super) struct SlotChanges {
     /// A flag for each block of slots of the current stage, rounded up to whole words. A byte each: setting a
     /// bit would have to wait for the last one that was set in the same word.
     blocks: Vec<u8>,
@@ -17,7 +17,7 @@ pub(super) struct Changes {
     pub is_new_stage: bool,
 }
 
-impl Changes {
+impl SlotChanges {
     /// No changes, with room for the slots of any stage.
     pub(super) fn none(slot_count: usize) -> Self {
         let block_count = (slot_count >> BLOCK_SHIFT) + 1;
@@ -101,7 +101,7 @@ mod tests {
         let stage = Stage::new(0, StoredStrips::pack(&strips, 1), Default::default());
         let firsts = stage.strips.firsts();
         for slots in [&[0][..], &[14], &[15], &[16, 63], &[9, 55, 166], &[20, 40, 54, 55, 70], &[]] {
-            let mut changes = Changes::none(stage.strips.slot_count());
+            let mut changes = SlotChanges::none(stage.strips.slot_count());
             slots.iter().for_each(|&slot| changes.mark(slot));
             let mut found = Vec::new();
             changes.take_strips_into(&stage, &mut found);
@@ -114,7 +114,7 @@ mod tests {
             let found: Vec<u32> = found.into_iter().filter(|&s| lengths[s as usize] > 0).collect();
             assert_eq!(found, expected, "{slots:?}");
             changes.take_strips_into(&stage, &mut Vec::new());
-            assert_eq!(changes, Changes::none(stage.strips.slot_count()));
+            assert_eq!(changes, SlotChanges::none(stage.strips.slot_count()));
         }
     }
 }

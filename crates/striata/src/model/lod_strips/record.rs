@@ -88,23 +88,28 @@ impl RecordFormat {
 
     /// Finds the short record that begins at `start`; `None` if it exceeds the arena.
     #[inline]
-    pub(super) fn record_at(self, arena: &[u8], start: usize, head: u8) -> Option<Record<'_>> {
+    pub(super) fn record_at(self, arena: &[u8], start: usize, head: u8) -> Option<StripRecord<'_>> {
         self.record(arena, start, self.short_bytes(head))
     }
 
     /// Finds the short record that ends at `end`; `None` if it exceeds the arena.
     #[inline]
-    pub(super) fn record_before(self, arena: &[u8], end: usize, head: u8) -> Option<Record<'_>> {
+    pub(super) fn record_before(self, arena: &[u8], end: usize, head: u8) -> Option<StripRecord<'_>> {
         let bytes = self.short_bytes(head);
         self.record(arena, end.checked_sub(bytes.0 + bytes.1)?, bytes)
     }
 
     #[inline]
-    fn record(self, arena: &[u8], start: usize, (of_slots, of_drops): (usize, usize)) -> Option<Record<'_>> {
+    fn record(
+        self,
+        arena: &[u8],
+        start: usize,
+        (of_slots, of_drops): (usize, usize),
+    ) -> Option<StripRecord<'_>> {
         let end = start + of_slots + of_drops;
         // The padding lets every number be read with one load.
         let (slots, drops) = arena.get(start..end + ARENA_PADDING)?.split_at_checked(of_slots)?;
-        Some(Record { start, end, slots, drops, format: self })
+        Some(StripRecord { start, end, slots, drops, format: self })
     }
 
     /// Appends the record of an edit and returns its head.
@@ -198,7 +203,7 @@ pub(super) struct LongRecord {
 
 /// A short record in the arena.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Record<'m> {
+pub(super) struct StripRecord<'m> {
     /// Offset of its first byte in the arena.
     pub start: usize,
     /// Offset of the byte after its last.
@@ -210,7 +215,7 @@ pub(super) struct Record<'m> {
     format: RecordFormat,
 }
 
-impl Record<'_> {
+impl StripRecord<'_> {
     /// Calls `substitute` with each slot, ascending. Returns `None` if `substitute` does, or if a slot has
     /// more than 32 bits.
     #[inline]
@@ -287,7 +292,7 @@ mod tests {
         Drop { strip, run: Run { first, count } }
     }
 
-    fn read_back(record: Record<'_>) -> Edit {
+    fn read_back(record: StripRecord<'_>) -> Edit {
         let mut edit = Edit::default();
         record
             .for_each_slot(|slot| {

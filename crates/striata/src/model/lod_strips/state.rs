@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::LodStrips;
-use super::changes::Changes;
+use super::changes::SlotChanges;
 use super::record::{ARENA_PADDING, Drop, LONG, LongRecord, long_record_at, long_record_before};
 use super::stage::Stage;
 use crate::model::strip_run::{drop_run, restore_run};
@@ -22,7 +22,7 @@ pub struct LodStripsState {
     current: StageStrips,
     /// The strips of each finer stage, at its coarsest level.
     finer: Vec<StageStrips>,
-    pub(super) changes: Changes,
+    pub(super) changes: SlotChanges,
 }
 
 /// The strips of one stage.
@@ -71,7 +71,7 @@ impl LodStripsState {
             levels: model.levels_of_stage(0),
             current: StageStrips::new(&model.stages[0]),
             finer: Vec::new(),
-            changes: Changes::none(most_slots),
+            changes: SlotChanges::none(most_slots),
         }
     }
 

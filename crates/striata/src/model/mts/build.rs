@@ -1,7 +1,7 @@
 //! Builds the model: follows each strip through its history, then collects the strips that each step changes.
 
 use super::lifetimes::{self, NEVER_DROPPED};
-use super::record::{ChangedStrip, RecordFormat};
+use super::record::{ChangedStrip, MtsRecordFormat};
 use super::{MAX_STRIP_INDICES, Mts, MtsParts};
 use crate::mesh::{CollapseSequence, RefinableMesh};
 use crate::model::ModelError;
@@ -91,7 +91,7 @@ impl Histories {
             changed[*at as usize] = (strip, touch.drops);
             *at += 1;
         }
-        let format = RecordFormat::new(strip_count);
+        let format = MtsRecordFormat::new(strip_count);
         let mut bits = Bits::default();
         let of_step = |w: &[u32]| format.write(&changed[w[0] as usize..w[1] as usize], &mut bits);
         let heads = ends.windows(2).map(of_step).collect();

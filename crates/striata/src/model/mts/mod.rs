@@ -37,7 +37,7 @@ use std::borrow::Cow;
 pub use state::MtsState;
 
 use self::lifetimes::StripSlots;
-use self::record::RecordFormat;
+use self::record::MtsRecordFormat;
 pub use super::lod_strips::MAX_STRIP_INDICES;
 use super::packed_vertices::PackedVertices;
 use super::step_vertices::StepVertices;
@@ -58,7 +58,7 @@ pub struct Mts<'a> {
     parts: MtsParts<'a>,
     /// Offset of each strip's entry in the lifetimes.
     entries: Vec<u32>,
-    format: RecordFormat,
+    format: MtsRecordFormat,
     /// Number of bits of all records.
     record_bits: usize,
 }
@@ -96,7 +96,7 @@ impl<'a> Mts<'a> {
     ) -> Result<Self, ModelError> {
         let entries = lifetimes::offsets(&parts.lifetimes, &parts.strips.lengths)
             .map_err(|strip| ModelError::Strip { strip, reason: "has no room for its lifetimes" })?;
-        let format = RecordFormat::new(parts.strips.strip_count());
+        let format = MtsRecordFormat::new(parts.strips.strip_count());
         let mut record_bits = 0;
         for (step, &head) in parts.heads.iter().enumerate() {
             let record = format.record_at(&parts.arena, record_bits, head);

@@ -28,21 +28,21 @@ pub(super) type ChangedStrip = (u32, bool);
 
 /// Layout of the records of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct RecordFormat {
+pub(super) struct MtsRecordFormat {
     /// Bits of a strip.
     strip_width: u32,
 }
 
 /// A record in the arena.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Record {
+pub(super) struct MtsRecord {
     /// First bit and the bit after the last.
     pub start: usize,
     pub end: usize,
     head: u8,
 }
 
-impl RecordFormat {
+impl MtsRecordFormat {
     pub(super) fn new(strip_count: usize) -> Self {
         Self { strip_width: width_of(strip_count as u64) }
     }
@@ -60,22 +60,22 @@ impl RecordFormat {
 
     /// Finds the record that begins at bit `start`.
     #[inline]
-    pub(super) fn record_at(self, arena: &[u8], start: usize, head: u8) -> Option<Record> {
+    pub(super) fn record_at(self, arena: &[u8], start: usize, head: u8) -> Option<MtsRecord> {
         let bits = match head {
             LONG => self.long_bits(field(arena, start, COUNT_BITS)?)?,
             _ => self.short_bits(head),
         };
-        Some(Record { start, end: start.checked_add(bits)?, head })
+        Some(MtsRecord { start, end: start.checked_add(bits)?, head })
     }
 
     /// Finds the record that ends before bit `end`.
     #[inline]
-    pub(super) fn record_before(self, arena: &[u8], end: usize, head: u8) -> Option<Record> {
+    pub(super) fn record_before(self, arena: &[u8], end: usize, head: u8) -> Option<MtsRecord> {
         let bits = match head {
             LONG => self.long_bits(field(arena, end.checked_sub(COUNT_BITS as usize)?, COUNT_BITS)?)?,
             _ => self.short_bits(head),
         };
-        Some(Record { start: end.checked_sub(bits)?, end, head })
+        Some(MtsRecord { start: end.checked_sub(bits)?, end, head })
     }
 
     /// Calls `visit` with each strip of a record. Returns `None` if the record exceeds the arena.
@@ -83,10 +83,10 @@ impl RecordFormat {
     pub(super) fn for_each_strip(
         self,
         arena: &[u8],
-        record: Record,
+        record: MtsRecord,
         mut visit: impl FnMut(u32, bool),
     ) -> Option<()> {
-        let Record { start, end, head } = record;
+        let MtsRecord { start, end, head } = record;
         if head == LONG {
             let entries = start + COUNT_BITS as usize..end - COUNT_BITS as usize;
             for at in entries.step_by(self.strip_width as usize + 1) {
@@ -154,7 +154,7 @@ mod tests {
             &[(0, true), (70_000, false)],
             &many,
         ];
-        let format = RecordFormat::new(100_000);
+        let format = MtsRecordFormat::new(100_000);
         let mut bits = Bits::default();
         let heads: Vec<u8> = records.iter().map(|strips| format.write(strips, &mut bits)).collect();
         assert_eq!(heads.iter().filter(|&&head| head == LONG).count(), 2);
@@ -173,7 +173,7 @@ mod tests {
 
     #[test]
     fn a_single_strip_needs_no_bits() {
-        let format = RecordFormat::new(1);
+        let format = MtsRecordFormat::new(1);
         let mut bits = Bits::default();
         assert_eq!(format.write(&[(0, true)], &mut bits), 1);
         assert_eq!(bits.len(), 1);

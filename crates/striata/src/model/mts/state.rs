@@ -1,7 +1,7 @@
 //! State of one MTS instance: its level and current strips, and how it moves between levels.
 
 use super::Mts;
-use super::record::Record;
+use super::record::MtsRecord;
 use crate::model::{StoredModel, StripModel};
 use crate::strip::RESTART;
 
@@ -160,7 +160,7 @@ impl MtsState {
 
     /// Marks the strips of a record for rebuilding; `count` updates the change count of each.
     #[inline]
-    fn touch(&mut self, model: &Mts<'_>, record: Record, count: impl Fn(&mut u8, bool)) -> Option<()> {
+    fn touch(&mut self, model: &Mts<'_>, record: MtsRecord, count: impl Fn(&mut u8, bool)) -> Option<()> {
         model.format.for_each_strip(&model.parts.arena, record, |strip, drops| {
             let live = &mut self.strips[strip as usize];
             count(&mut live.change, drops);

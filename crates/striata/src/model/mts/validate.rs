@@ -147,7 +147,7 @@ fn for_each_record(model: &Mts<'_>, mut visit: impl FnMut(u32, usize, bool)) -> 
 #[cfg(test)]
 mod tests {
     use super::super::lifetimes;
-    use super::super::record::{ChangedStrip, RecordFormat};
+    use super::super::record::{ChangedStrip, MtsRecordFormat};
     use super::*;
     use crate::mesh::{IndexedMesh, shapes};
     use crate::model::bits::Bits;
@@ -180,7 +180,7 @@ mod tests {
 
     /// Writes the records of all steps anew.
     fn set_changed_strips(parts: &mut MtsParts<'static>, steps: &[Vec<ChangedStrip>]) {
-        let format = RecordFormat::new(parts.strips.strip_count());
+        let format = MtsRecordFormat::new(parts.strips.strip_count());
         let mut bits = Bits::default();
         parts.heads = steps.iter().map(|strips| format.write(strips, &mut bits)).collect();
         parts.arena = bits.into_padded().into();

@@ -43,14 +43,14 @@ const COSINES: [f32; 7] = [0.970_295, 0.933_580, 0.882_947, 0.809_016, FRAC_1_SQ
 
 /// Largest float whose code can be expressed, and the steps below it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::model) struct Scale {
+pub(in crate::model) struct BoundScale {
     /// Upper bits of the float that code 0 stands for.
     base: u32,
     shift: u32,
     max_code: u32,
 }
 
-impl Scale {
+impl BoundScale {
     fn new(largest: f32, shift: u32, max_code: u32) -> Self {
         let level = level_of(largest, shift);
         Self { base: level.saturating_sub(max_code), shift, max_code }
@@ -105,8 +105,8 @@ fn level_of(number: f32, shift: u32) -> u32 {
 /// Bounds of all fragments of a model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::model) struct PackedBounds {
-    radii: Scale,
-    errors: Scale,
+    radii: BoundScale,
+    errors: BoundScale,
     codes: Box<[[u8; 3]]>,
 }
 
@@ -123,8 +123,8 @@ impl PackedBounds {
     pub(super) fn of_fragments(mesh: &FragmentedMesh) -> Self {
         let bounds = fragment_bounds(mesh);
         let largest = |of: fn(&FragmentBounds) -> f32| bounds.iter().map(of).fold(0.0, f32::max);
-        let radii = Scale::new(largest(|b| b.radius), RADIUS_SHIFT, MAX_RADIUS_CODE);
-        let errors = Scale::of_errors(largest(|b| b.error));
+        let radii = BoundScale::new(largest(|b| b.radius), RADIUS_SHIFT, MAX_RADIUS_CODE);
+        let errors = BoundScale::of_errors(largest(|b| b.error));
         let axes = axes();
         let pack = |b: &FragmentBounds| {
             let code =
@@ -149,8 +149,8 @@ impl PackedBounds {
         [radius_base, error_base]: [u32; 2],
         step_count: usize,
     ) -> Result<Self, ModelError> {
-        let scales = Scale::stored(radius_base, RADIUS_SHIFT, MAX_RADIUS_CODE)
-            .zip(Scale::of_stored_errors(error_base));
+        let scales = BoundScale::stored(radius_base, RADIUS_SHIFT, MAX_RADIUS_CODE)
+            .zip(BoundScale::of_stored_errors(error_base));
         let Some((radii, errors)) = scales else {
             let reason = "exceeds the largest number";
             return Err(ModelError::Listed { what: "scale of bounds", place: 0, reason });
@@ -319,8 +319,8 @@ mod tests {
     fn codes_are_never_rounded_down() {
         for largest in [0.0, 1e-38, 0.3, 1.0, 7e20, f32::MAX] {
             for (shift, max_code) in [(ERROR_SHIFT, MAX_ERROR_CODE), (RADIUS_SHIFT, MAX_RADIUS_CODE)] {
-                let scale = Scale::new(largest, shift, max_code);
-                assert_eq!(Scale::stored(scale.base, shift, max_code), Some(scale));
+                let scale = BoundScale::new(largest, shift, max_code);
+                assert_eq!(BoundScale::stored(scale.base, shift, max_code), Some(scale));
                 for share in [0.0, 1e-30, 1e-6, 0.01, 0.3, 0.999, 1.0] {
                     let code = scale.code(largest * share);
                     assert!(code <= max_code && scale.number(code) >= largest * share, "{largest} {share}");
@@ -329,10 +329,10 @@ mod tests {
                 assert!(scale.number(scale.code(0.5 * largest)) <= 0.5 * largest * step + 1e-37);
             }
         }
-        let errors = Scale::of_errors(1.0);
+        let errors = BoundScale::of_errors(1.0);
         assert_eq!((errors.error_code(0.0), errors.error(0)), (0, 0.0));
         assert!(errors.error(errors.error_code(1e-30)) > 0.0, "a small error is still one");
-        assert_eq!(Scale::of_stored_errors(u32::MAX), None);
+        assert_eq!(BoundScale::of_stored_errors(u32::MAX), None);
     }
 
     #[test]

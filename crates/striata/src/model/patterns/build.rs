@@ -1,10 +1,10 @@
 //! Builds patterns from fragments.
 
-use super::bounds::{PackedBounds, Scale};
+use super::bounds::{BoundScale, PackedBounds};
 use super::dependencies::Dependencies;
 use super::kinds::KindTable;
-use super::overlaps::{MAX_RUN, OverlapTableBuilder, Share};
-use super::records::{Draft, Layout, Records, Up};
+use super::overlaps::{CeilingShare, MAX_RUN, OverlapTableBuilder};
+use super::records::{Draft, RecordLayout, Records, UpLink};
 use super::rule::{Rule, first_corner};
 use super::rule_table::{RuleTable, of_rule};
 use super::rulebook::{Matched, Rulebook};
@@ -35,7 +35,7 @@ impl Patterns {
         }
         let bounds = PackedBounds::of_fragments(mesh);
         let largest = face_errors.iter().copied().fold(0.0, f32::max);
-        let errors = FaceErrors { errors: face_errors, scale: Scale::of_errors(largest) };
+        let errors = FaceErrors { errors: face_errors, scale: BoundScale::of_errors(largest) };
         let group_count = mesh.mesh.groups.len().max(1);
         Ok(Self { bounds: Some(bounds), ..Self::of_parts(&mesh.fragments, group_count, Some(errors))? })
     }
@@ -109,11 +109,11 @@ impl Patterns {
         let base = (0..fragments.base_face_count() as u32)
             .map(|face| locations.base_face(face, &codes, &rules_of))
             .collect();
-        let layout = Layout {
+        let layout = RecordLayout {
             kind_count: kinds.len(),
             half_edge_count: rules.iter().map(|rule| 3 * rule.floor_count()).max().unwrap_or(0) as u32,
             has_errors: errors.is_some(),
-            ..Layout::default()
+            ..RecordLayout::default()
         };
         Ok(Self {
             vertices,
@@ -134,7 +134,7 @@ impl Patterns {
 #[derive(Clone, Copy)]
 struct FaceErrors<'a> {
     errors: &'a [f32],
-    scale: Scale,
+    scale: BoundScale,
 }
 
 /// For each rule, the code of each half-edge at which a run can begin.
@@ -221,7 +221,7 @@ impl<'a> FaceLocations<'a> {
         step: u32,
         (rules, codes): (&RuleTable, &RuleCodes),
         rules_of: &[u32],
-    ) -> (Vec<Share>, Vec<Up>) {
+    ) -> (Vec<CeilingShare>, Vec<UpLink>) {
         let base = self.fragments.base_face_count();
         let range = self.fragments.ceiling(step);
         let faces = &self.ceilings[range.start as usize - base..range.end as usize - base];
@@ -235,7 +235,7 @@ impl<'a> FaceLocations<'a> {
             }
         };
         let count = faces.len();
-        let mut sharing = vec![Share { link: Share::FULL, offset: 0 }; count];
+        let mut sharing = vec![CeilingShare { link: CeilingShare::FULL, offset: 0 }; count];
         let mut up = Vec::new();
         // Starting at the beginning of a run ensures that no run is split at an arbitrary point of the ring.
         let start = (0..count).find(|&s| !follows(s, (s + count - 1) % count)).unwrap_or(0);
@@ -249,11 +249,11 @@ impl<'a> FaceLocations<'a> {
             if i == 0 || offset == MAX_RUN || !follows(s, (s + count - 1) % count) {
                 offset = 0;
                 let code = codes.code(rules_of[above(s) as usize], half_edge(s));
-                up.push(Up { above: above(s), code, error: 0 });
+                up.push(UpLink { above: above(s), code, error: 0 });
             }
             let link = up.len() - 1;
             up[link].error = up[link].error.max(self.error_code(faces[s]));
-            sharing[s] = Share { link: link as u32, offset };
+            sharing[s] = CeilingShare { link: link as u32, offset };
         }
         renumber(&mut sharing, &mut up);
         (sharing, up)
@@ -261,10 +261,10 @@ impl<'a> FaceLocations<'a> {
 }
 
 /// Renumbers links by first use in the ceiling, so that equivalent sharings become equal.
-fn renumber(sharing: &mut [Share], up: &mut Vec<Up>) {
+fn renumber(sharing: &mut [CeilingShare], up: &mut Vec<UpLink>) {
     let mut fresh = vec![u32::MAX; up.len()];
     let mut order = Vec::with_capacity(up.len());
-    for share in sharing.iter_mut().filter(|share| share.link != Share::FULL) {
+    for share in sharing.iter_mut().filter(|share| share.link != CeilingShare::FULL) {
         let index = &mut fresh[share.link as usize];
         if *index == u32::MAX {
             *index = order.len() as u32;
@@ -281,12 +281,12 @@ mod tests {
 
     #[test]
     fn links_are_numbered_by_first_use() {
-        let share = |link| Share { link, offset: 0 };
-        let mut sharing = [2, Share::FULL, 0, 2, 1].map(share);
-        let up = |above| Up { above, code: above % 3, error: 0 };
+        let share = |link| CeilingShare { link, offset: 0 };
+        let mut sharing = [2, CeilingShare::FULL, 0, 2, 1].map(share);
+        let up = |above| UpLink { above, code: above % 3, error: 0 };
         let mut ups = [7, 8, 9].map(up).to_vec();
         renumber(&mut sharing, &mut ups);
-        assert_eq!(sharing, [0, Share::FULL, 1, 0, 2].map(share));
+        assert_eq!(sharing, [0, CeilingShare::FULL, 1, 0, 2].map(share));
         assert_eq!(ups, [9, 7, 8].map(up));
     }
 }

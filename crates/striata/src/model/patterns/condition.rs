@@ -5,7 +5,7 @@
 //! and fine enough, so is their intersection. [`PatternInstance::adapt`] finds it by working upward from
 //! the base, through fragments that replace triangles that are too coarse, and their dependencies.
 
-use super::records::Up;
+use super::records::UpLink;
 use super::rule::NONE;
 use super::{PatternInstance, PatternScene, Patterns};
 use crate::model::step_bits::StepBits;
@@ -101,7 +101,7 @@ impl PatternInstance {
                         waiting.push(below);
                     }
                 }
-                let mut visit = |up: Up| {
+                let mut visit = |up: UpLink| {
                     if !wanted.has(up.above) && condition.is_too_coarse(patterns.overlap(Some(step), up)) {
                         wanted.insert(up.above);
                         if up.above < next {
@@ -217,7 +217,7 @@ impl Patterns {
     /// Returns the overlaps of the base mesh, and those of fragments without a floor.
     fn base_overlaps(&self) -> impl Iterator<Item = Overlap> + use<'_> {
         let of_base = self.base.iter().filter(|face| face.above != NONE);
-        let of_base = of_base.map(|face| Up { above: face.above, code: face.code, error: face.error });
+        let of_base = of_base.map(|face| UpLink { above: face.above, code: face.code, error: face.error });
         let floorless = self.floorless.iter().map(|&upper| {
             let error = self.bounds.as_ref().map_or(f32::INFINITY, |bounds| bounds.error(upper));
             Overlap { lower: None, upper, error }

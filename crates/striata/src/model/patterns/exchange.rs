@@ -1,8 +1,8 @@
 //! Exchanges a floor and a ceiling of an instance: inserts and removes single fragments.
 
-use super::instance::{PatternInstance, Scratch, Shared, Slot};
-use super::overlaps::{MAX_RUN, Share, Sharing, run_location};
-use super::records::{Head, Up};
+use super::instance::{InstanceScratch, PatternInstance, PatternSlot, SharedTriangle};
+use super::overlaps::{CeilingShare, MAX_RUN, Sharing, run_location};
+use super::records::{StepHead, UpLink};
 use super::rule::{NONE, first_corner};
 use super::rule_table::{Number, RuleRef, RuleView, of_rule};
 use super::{Overlap, Patterns};
@@ -13,7 +13,7 @@ const IS_HALF_EDGE: u32 = 1 << 31;
 /// Largest number of local vertices and of slots of a floor that fit into buffers on the stack.
 const FEW: usize = 16;
 
-const FREE_SLOT: Slot = Slot { corners: [NONE; 3], next: NONE, location: 0 };
+const FREE_SLOT: PatternSlot = PatternSlot { corners: [NONE; 3], next: NONE, location: 0 };
 
 /// The vertices of a fragment by local index.
 trait Locals {
@@ -70,8 +70,8 @@ impl PatternInstance {
         &mut self,
         patterns: &Patterns,
         step: u32,
-        head: &Head,
-        visit: impl FnMut(Up),
+        head: &StepHead,
+        visit: impl FnMut(UpLink),
     ) {
         let (rule, sharing) = patterns.kinds.get(head.kind);
         let sharing = patterns.sharings.get(sharing);
@@ -91,9 +91,9 @@ impl PatternInstance {
     fn replace_large_floor(
         &mut self,
         patterns: &Patterns,
-        of_step: (u32, &Head),
+        of_step: (u32, &StepHead),
         (rule, sharing): (RuleRef<'_>, Sharing<'_>),
-        visit: impl FnMut(Up),
+        visit: impl FnMut(UpLink),
     ) {
         let locals = &mut vec![0; of_rule!(rule, rule => rule.local_count())];
         match rule {
@@ -106,9 +106,9 @@ impl PatternInstance {
     fn replace_floor<N: Number, L: Locals>(
         &mut self,
         patterns: &Patterns,
-        (step, head): (u32, &Head),
+        (step, head): (u32, &StepHead),
         (rule, sharing, locals): (&RuleView<'_, N>, Sharing<'_>, &mut L),
-        mut visit: impl FnMut(Up),
+        mut visit: impl FnMut(UpLink),
     ) {
         set_known(patterns, (step, head), rule, locals);
         let freed = self.take_floor(step, rule, locals);
@@ -116,8 +116,8 @@ impl PatternInstance {
         let ceiling = rule.ceilings();
         // Triangles of the full mesh stay in the list of the step.
         let mut own = NONE;
-        sharing.for_each_run(ceiling.len(), |run, Share { link, offset }| {
-            let is_full = link == Share::FULL;
+        sharing.for_each_run(ceiling.len(), |run, CeilingShare { link, offset }| {
+            let is_full = link == CeilingShare::FULL;
             let (above, mut location) = if is_full {
                 (step, run.start as u32)
             } else {
@@ -131,7 +131,7 @@ impl PatternInstance {
                 let at = if s < freed.count { freed.few[s % FEW] } else { self.free_slot(is_grouped) };
                 let [a, b, c] = ceiling[s];
                 let corners = [locals.get(a.get()), locals.get(b.get()), locals.get(c.get())];
-                self.slots[at as usize] = Slot { corners, next, location };
+                self.slots[at as usize] = PatternSlot { corners, next, location };
                 if is_grouped {
                     self.groups[at as usize] = rule.group(s);
                 }
@@ -164,7 +164,7 @@ impl PatternInstance {
         let floor = rule.floors();
         let mut at = self.heads[step as usize].wrapping_sub(1);
         while at != NONE {
-            let Slot { corners, next, location } = self.slots[at as usize];
+            let PatternSlot { corners, next, location } = self.slots[at as usize];
             let half_edge = half_edge_of(rule, location);
             let [a, b, c] = rotated(floor[half_edge as usize / 3], half_edge % 3);
             locals.set(a.get(), corners[0]);
@@ -257,8 +257,8 @@ impl PatternInstance {
     fn read_ceiling(
         &mut self,
         patterns: &Patterns,
-        (step, head): (u32, &Head),
-        scratch: &mut Scratch,
+        (step, head): (u32, &StepHead),
+        scratch: &mut InstanceScratch,
         remove: bool,
     ) {
         let (rule, sharing) = patterns.kinds.get(head.kind);
@@ -271,7 +271,7 @@ impl PatternInstance {
         let ceiling = |s: u32| of_rule!(rule, rule => rule.ceiling(s as usize));
         let mut slot = self.heads[step as usize].wrapping_sub(1);
         while slot != NONE {
-            let Slot { corners, next, location } = self.slots[slot as usize];
+            let PatternSlot { corners, next, location } = self.slots[slot as usize];
             set_corners(&mut scratch.locals, ceiling(location), corners);
             if remove {
                 self.triangle_count -= 1;
@@ -296,7 +296,7 @@ impl PatternInstance {
     fn read_above(
         &mut self,
         patterns: &Patterns,
-        own: &[Shared],
+        own: &[SharedTriangle],
         remove: bool,
         mut visit: impl FnMut(u32, [u32; 3]),
     ) {
@@ -305,7 +305,7 @@ impl PatternInstance {
         let (mut slot, mut before) = (self.heads[above as usize].wrapping_sub(1), NONE);
         let mut left = own.len();
         while slot != NONE && left > 0 {
-            let Slot { corners, next, location } = self.slots[slot as usize];
+            let PatternSlot { corners, next, location } = self.slots[slot as usize];
             let at = of_rule!(floor, floor => half_edge_of(&floor, location));
             let found = own.binary_search_by_key(&at, |shared| shared.half_edge);
             if let Ok(found) = found {
@@ -330,7 +330,7 @@ impl PatternInstance {
     pub(super) fn add_triangle(&mut self, patterns: &Patterns, corners: [u32; 3], group: u32) -> u32 {
         let is_grouped = patterns.group_count > 1;
         let at = self.free_slot(is_grouped);
-        self.slots[at as usize] = Slot { corners, next: NONE, location: 0 };
+        self.slots[at as usize] = PatternSlot { corners, next: NONE, location: 0 };
         if is_grouped {
             self.groups[at as usize] = group;
         }
@@ -340,7 +340,7 @@ impl PatternInstance {
 
     /// Marks a slot as free; whoever calls this counts the triangles.
     fn release(&mut self, slot: u32) {
-        self.slots[slot as usize] = Slot { next: self.free, ..FREE_SLOT };
+        self.slots[slot as usize] = PatternSlot { next: self.free, ..FREE_SLOT };
         self.free = slot;
     }
 
@@ -354,21 +354,21 @@ impl PatternInstance {
     }
 }
 
-impl Scratch {
+impl InstanceScratch {
     /// Finds where the triangles of a ceiling go, sorted, so that each list above is traversed only once.
-    fn load_shared(&mut self, patterns: &Patterns, head: &Head, (sharing, count): (Sharing<'_>, usize)) {
+    fn load_shared(&mut self, patterns: &Patterns, head: &StepHead, (sharing, count): (Sharing<'_>, usize)) {
         self.links.clear();
         self.links.extend(patterns.records.ups(head));
         self.shared.clear();
-        sharing.for_each_run(count, |run, Share { link, offset }| {
-            if link == Share::FULL {
+        sharing.for_each_run(count, |run, CeilingShare { link, offset }| {
+            if link == CeilingShare::FULL {
                 return;
             }
-            let Up { above, code, .. } = self.links[link as usize];
+            let UpLink { above, code, .. } = self.links[link as usize];
             let rule = patterns.rule_of(&patterns.records.head(above));
             for (triangle, offset) in run.zip(offset..) {
                 let half_edge = rule.locate(code, offset).expect("a run continues around its vertex");
-                self.shared.push(Shared { above, half_edge, triangle: triangle as u32 });
+                self.shared.push(SharedTriangle { above, half_edge, triangle: triangle as u32 });
             }
         });
         self.shared.sort_unstable();
@@ -379,7 +379,7 @@ impl Scratch {
 #[inline]
 fn set_known<N: Number>(
     patterns: &Patterns,
-    (step, head): (u32, &Head),
+    (step, head): (u32, &StepHead),
     rule: &RuleView<'_, N>,
     locals: &mut impl Locals,
 ) {

@@ -7,13 +7,13 @@
 
 use super::Patterns;
 use super::overlaps::run_location;
-use super::records::Up;
+use super::records::UpLink;
 use super::rule::NONE;
 use crate::model::step_bits::StepBits;
 
 /// A current triangle, or a free slot.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Slot {
+pub(super) struct PatternSlot {
     /// Vertices, youngest first; [`NONE`] in a free slot.
     pub corners: [u32; 3],
     /// Next triangle of the same list, or next free slot.
@@ -34,25 +34,25 @@ pub struct PatternInstance {
     pub(super) split_count: usize,
     /// First triangle of each step's list, plus 1; 0 for an empty list. Zeros need no initialization.
     pub(super) heads: Vec<u32>,
-    pub(super) slots: Vec<Slot>,
+    pub(super) slots: Vec<PatternSlot>,
     /// Group of each slot's triangle; empty if the model has only one group.
     pub(super) groups: Vec<u32>,
     pub(super) free: u32,
     pub(super) triangle_count: usize,
-    pub(super) scratch: Scratch,
+    pub(super) scratch: InstanceScratch,
 }
 
 #[derive(Clone, Debug, Default)]
-pub(super) struct Scratch {
+pub(super) struct InstanceScratch {
     pub locals: Vec<u32>,
-    pub links: Vec<Up>,
-    pub shared: Vec<Shared>,
+    pub links: Vec<UpLink>,
+    pub shared: Vec<SharedTriangle>,
     pub waiting: Vec<u32>,
 }
 
 /// A ceiling triangle that some fragment can replace, and its location in the floor of that fragment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Shared {
+pub(super) struct SharedTriangle {
     pub above: u32,
     pub half_edge: u32,
     /// Index of the triangle in the ceiling.
@@ -79,7 +79,7 @@ impl PatternInstance {
             groups: Vec::new(),
             free: NONE,
             triangle_count: 0,
-            scratch: Scratch::default(),
+            scratch: InstanceScratch::default(),
         };
         for face in &patterns.base {
             let slot = instance.add_triangle(patterns, face.corners, face.group);

@@ -55,10 +55,10 @@ pub use level::PatternsState;
 pub(crate) use parts::{HEADER_LEN, PatternsParts};
 pub use scene::PatternScene;
 
-use self::bounds::{PackedBounds, Scale};
+use self::bounds::{BoundScale, PackedBounds};
 use self::kinds::KindTable;
 use self::overlaps::OverlapTable;
-use self::records::{Head, Records, Up};
+use self::records::{Records, StepHead, UpLink};
 use self::rule_table::{RuleRef, RuleTable};
 use super::StepVertices;
 
@@ -75,7 +75,7 @@ pub struct Patterns {
     kinds: KindTable,
     records: Records,
     /// How errors of overlaps are packed, if the model has them.
-    overlap_errors: Option<Scale>,
+    overlap_errors: Option<BoundScale>,
     /// Bounds of each fragment for view-dependent refinement, unless the model was built without them.
     bounds: Option<PackedBounds>,
 }
@@ -169,7 +169,7 @@ impl Patterns {
     }
 
     #[inline]
-    fn rule_of(&self, head: &Head) -> RuleRef<'_> {
+    fn rule_of(&self, head: &StepHead) -> RuleRef<'_> {
         self.rules.rule(self.kinds.get(head.kind).0)
     }
 
@@ -185,7 +185,7 @@ impl Patterns {
 
     /// Returns the overlap of a step that a link leads from; `None` for the base mesh.
     #[inline]
-    fn overlap(&self, lower: Option<u32>, up: Up) -> Overlap {
+    fn overlap(&self, lower: Option<u32>, up: UpLink) -> Overlap {
         Overlap { lower, upper: up.above, error: self.error_of(up.above, up.error) }
     }
 }

@@ -26,14 +26,14 @@ pub(super) fn run_location(code: u32, offset: u32) -> u32 {
 
 /// Destination of a ceiling triangle: a link of its step, and the offset along the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(in crate::model) struct Share {
-    /// Index of the link, or [`Share::FULL`] for a triangle of the full mesh.
+pub(in crate::model) struct CeilingShare {
+    /// Index of the link, or [`CeilingShare::FULL`] for a triangle of the full mesh.
     pub link: u32,
     /// Index of the triangle in the run.
     pub offset: u32,
 }
 
-impl Share {
+impl CeilingShare {
     /// Link index of triangles that no fragment replaces.
     pub(super) const FULL: u32 = u32::MAX;
 
@@ -85,11 +85,11 @@ pub(super) enum Sharing<'a> {
 }
 
 impl OverlapTable {
-    fn push_wide(&mut self, sharing: &[Share]) {
+    fn push_wide(&mut self, sharing: &[CeilingShare]) {
         let (first, count) = (self.wide_shares.len() as u32, sharing.len() as u32);
         self.wide.push(WideEntry { first, count });
         self.wide_shares.extend(sharing.iter().map(|share| match share.link {
-            Share::FULL => Share::FULL,
+            CeilingShare::FULL => CeilingShare::FULL,
             link => link * MAX_RUN + share.offset,
         }));
     }
@@ -125,7 +125,7 @@ impl OverlapTable {
     }
 
     /// Returns the destinations of the triangles of a ceiling.
-    pub(super) fn shares(&self, sharing: u32) -> Vec<Share> {
+    pub(super) fn shares(&self, sharing: u32) -> Vec<CeilingShare> {
         let mut out = Vec::new();
         self.get(sharing).for_each_run(self.count(sharing), |run, share| {
             out.extend(run.zip(0..).map(|(_, i)| share.after(i)));
@@ -151,7 +151,7 @@ impl Sharing<'_> {
     pub(super) fn try_for_each_run<E>(
         self,
         count: usize,
-        mut visit: impl FnMut(Range<usize>, Share) -> Result<(), E>,
+        mut visit: impl FnMut(Range<usize>, CeilingShare) -> Result<(), E>,
     ) -> Result<(), E> {
         let (mut left, wraps) = match self {
             Self::Packed { runs, wraps } => (runs, wraps),
@@ -167,10 +167,10 @@ impl Sharing<'_> {
                     left >>= 4;
                     let length = run_length(run);
                     if run >= FULL_RUN {
-                        (length, Share::NOWHERE)
+                        (length, CeilingShare::NOWHERE)
                     } else {
                         let is_continued = wraps && left == 0;
-                        let share = Share { link: if is_continued { 0 } else { link }, offset };
+                        let share = CeilingShare { link: if is_continued { 0 } else { link }, offset };
                         link += 1;
                         offset = 0;
                         (length, share)
@@ -187,7 +187,7 @@ impl Sharing<'_> {
     /// Calls `visit` with each range of consecutive triangles that have the same link, and the destination
     /// of the first; the following ones have the next offsets.
     #[inline(always)]
-    pub(super) fn for_each_run(self, count: usize, mut visit: impl FnMut(Range<usize>, Share)) {
+    pub(super) fn for_each_run(self, count: usize, mut visit: impl FnMut(Range<usize>, CeilingShare)) {
         let Ok(()) = self.try_for_each_run(count, |run, share| {
             visit(run, share);
             Ok::<(), Infallible>(())
@@ -214,16 +214,16 @@ fn packed_count(runs: u64) -> usize {
     all.take_while(|&run| run != 0).map(run_length).sum()
 }
 
-fn unpack(packed: u32) -> Share {
+fn unpack(packed: u32) -> CeilingShare {
     match packed {
-        Share::FULL => Share::NOWHERE,
-        packed => Share { link: packed / MAX_RUN, offset: packed % MAX_RUN },
+        CeilingShare::FULL => CeilingShare::NOWHERE,
+        packed => CeilingShare { link: packed / MAX_RUN, offset: packed % MAX_RUN },
     }
 }
 
 /// Packs a sharing into 64 bits, and returns whether it wraps. `None` if it has too many triangles, too long
 /// runs, or links in another order than that of the triangles.
-fn to_packed(sharing: &[Share]) -> Option<(u64, bool)> {
+fn to_packed(sharing: &[CeilingShare]) -> Option<(u64, bool)> {
     if sharing.len() > LONG_TRIANGLES {
         return None;
     }
@@ -232,13 +232,13 @@ fn to_packed(sharing: &[Share]) -> Option<(u64, bool)> {
         let (before, here) = (sharing[i - 1], sharing[i]);
         // A run of the full mesh ends after 8 triangles.
         let continues =
-            before.link == here.link && (here.link == Share::FULL || here.offset == before.offset + 1);
+            before.link == here.link && (here.link == CeilingShare::FULL || here.offset == before.offset + 1);
         !continues
     };
     let mut triangle = 0;
     let mut count = 0;
     while triangle < sharing.len() {
-        let is_full = sharing[triangle].link == Share::FULL;
+        let is_full = sharing[triangle].link == CeilingShare::FULL;
         let limit = sharing.len().min(triangle + if is_full { 8 } else { 7 });
         let end = (triangle + 1..limit).find(|&i| is_start(i)).unwrap_or(limit);
         let length = (end - triangle) as u64 % 8;
@@ -246,7 +246,7 @@ fn to_packed(sharing: &[Share]) -> Option<(u64, bool)> {
         count += 1;
         triangle = end;
     }
-    let wraps = sharing.first().is_some_and(|first| first.link != Share::FULL && first.offset > 0);
+    let wraps = sharing.first().is_some_and(|first| first.link != CeilingShare::FULL && first.offset > 0);
     let mut found = Vec::with_capacity(sharing.len());
     Sharing::Packed { runs, wraps }.for_each_run(sharing.len(), |run, share| {
         found.extend(run.zip(0..).map(|(_, i)| share.after(i)));
@@ -260,7 +260,7 @@ pub(super) struct OverlapTableBuilder {
     /// Short sharings without and with a run that wraps, then long ones.
     packed: [Vec<u64>; 4],
     table: OverlapTable,
-    indices: HashMap<Vec<Share>, FoundSharing>,
+    indices: HashMap<Vec<CeilingShare>, FoundSharing>,
 }
 
 /// A sharing that has been found: its class and its index in it, until all sharings are known.
@@ -275,7 +275,7 @@ const WIDE_CLASS: usize = 4;
 
 impl OverlapTableBuilder {
     /// Returns a sharing, adding it if it is new.
-    pub(super) fn find(&mut self, sharing: &[Share]) -> FoundSharing {
+    pub(super) fn find(&mut self, sharing: &[CeilingShare]) -> FoundSharing {
         if let Some(&found) = self.indices.get(sharing) {
             return found;
         }
@@ -295,7 +295,7 @@ impl OverlapTableBuilder {
     }
 
     /// Adds a sharing with the next index. Returns false if it is not new, or if it belongs before others.
-    pub(super) fn push_next(&mut self, sharing: &[Share]) -> bool {
+    pub(super) fn push_next(&mut self, sharing: &[CeilingShare]) -> bool {
         let count = self.indices.len();
         let last = (0..WIDE_CLASS).rev().find(|&class| !self.packed[class].is_empty());
         let last = if self.table.wide.is_empty() { last.unwrap_or(0) } else { WIDE_CLASS };
@@ -326,13 +326,13 @@ mod tests {
     use super::*;
     use crate::mesh::Random;
 
-    fn share(link: u32, offset: u32) -> Share {
-        Share { link, offset }
+    fn share(link: u32, offset: u32) -> CeilingShare {
+        CeilingShare { link, offset }
     }
 
     #[test]
     fn sharings_are_read_as_they_were_packed() {
-        let full = Share::NOWHERE;
+        let full = CeilingShare::NOWHERE;
         let cases = [
             (vec![], 0),
             (vec![full; 8], 0),
@@ -382,7 +382,7 @@ mod tests {
             let mut order: Vec<usize> = Vec::new();
             let mut sharing = Vec::new();
             for run in runs {
-                sharing.push(run.map_or(Share::NOWHERE, |run| {
+                sharing.push(run.map_or(CeilingShare::NOWHERE, |run| {
                     let known = order.iter().position(|&link| link == run / 16);
                     let link = known.unwrap_or_else(|| {
                         order.push(run / 16);
@@ -393,7 +393,7 @@ mod tests {
             }
             let (runs, wraps) = to_packed(&sharing).unwrap_or_else(|| panic!("{sharing:?}"));
             assert_eq!(packed_count(runs), count);
-            assert_eq!(wraps, sharing[0].link != Share::FULL && sharing[0].offset > 0);
+            assert_eq!(wraps, sharing[0].link != CeilingShare::FULL && sharing[0].offset > 0);
         }
     }
 }

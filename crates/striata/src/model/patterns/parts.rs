@@ -3,10 +3,10 @@
 //! Rules and sharings are stored as varints of 7 bits per byte. A stored model is validated by one walk
 //! over its fragments (`walk.rs`); afterward it is valid for every set of fragments.
 
-use super::bounds::{PackedBounds, Scale};
+use super::bounds::{BoundScale, PackedBounds};
 use super::kinds::KindTable;
-use super::overlaps::{MAX_RUN, OverlapTable, OverlapTableBuilder, Share};
-use super::records::{Layout, Records};
+use super::overlaps::{CeilingShare, MAX_RUN, OverlapTable, OverlapTableBuilder};
+use super::records::{RecordLayout, Records};
 use super::rule::Rule;
 use super::rule_table::RuleTable;
 use super::walk::FragmentWalk;
@@ -50,7 +50,7 @@ impl Patterns {
                 flags,
                 length as u32,
                 (length >> 32) as u32,
-                self.overlap_errors.map_or(0, Scale::base),
+                self.overlap_errors.map_or(0, BoundScale::base),
                 radius_base,
                 error_base,
                 0,
@@ -107,9 +107,10 @@ impl Patterns {
         let expected = parts.records.len().saturating_mul(8);
         let wrong = ModelError::Length { what: "bits of records", found: length as usize, expected };
         let (has_wide_counts, has_errors) = (flags & 1 != 0, flags & 2 != 0);
-        let layout = Layout { kind_count, short_kind_bits, half_edge_count, has_errors, has_wide_counts };
+        let layout =
+            RecordLayout { kind_count, short_kind_bits, half_edge_count, has_errors, has_wide_counts };
         let records = Records::from_parts(step_count, layout, (parts.blocks.to_vec(), bits.ok_or(wrong)?))?;
-        let scale = Scale::of_stored_errors(error_base).filter(|_| has_errors || error_base == 0);
+        let scale = BoundScale::of_stored_errors(error_base).filter(|_| has_errors || error_base == 0);
         let reason = "exceeds the largest number";
         let scale = scale.ok_or(ModelError::Listed { what: "scale of errors", place: 0, reason })?;
         let mut patterns = Self {
@@ -293,7 +294,8 @@ fn sharings_to_bytes(sharings: &OverlapTable) -> Vec<u8> {
         let shares = sharings.shares(sharing);
         write_number(shares.len() as u32, &mut out);
         for share in shares {
-            let number = if share.link == Share::FULL { 0 } else { 1 + share.link * MAX_RUN + share.offset };
+            let number =
+                if share.link == CeilingShare::FULL { 0 } else { 1 + share.link * MAX_RUN + share.offset };
             write_number(number, &mut out);
         }
     }
@@ -305,16 +307,16 @@ fn sharings_from_bytes(bytes: &[u8]) -> Result<OverlapTable, ModelError> {
     let mut sharings = OverlapTableBuilder::default();
     while !numbers.bytes.is_empty() {
         let count = numbers.count()?;
-        let sharing: Vec<Share> = (0..count)
+        let sharing: Vec<CeilingShare> = (0..count)
             .map(|_| {
                 Ok(match numbers.next()?.checked_sub(1) {
-                    None => Share { link: Share::FULL, offset: 0 },
-                    Some(packed) => Share { link: packed / MAX_RUN, offset: packed % MAX_RUN },
+                    None => CeilingShare { link: CeilingShare::FULL, offset: 0 },
+                    Some(packed) => CeilingShare { link: packed / MAX_RUN, offset: packed % MAX_RUN },
                 })
             })
             .collect::<Result<_, ModelError>>()?;
         // Links are numbered by first use, so there cannot be more links than triangles.
-        if sharing.iter().any(|share| share.link != Share::FULL && share.link as usize >= count) {
+        if sharing.iter().any(|share| share.link != CeilingShare::FULL && share.link as usize >= count) {
             return Err(numbers.wrong("has more links than triangles"));
         }
         if !sharings.push_next(&sharing) {

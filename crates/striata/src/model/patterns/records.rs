@@ -45,7 +45,7 @@ const LONG_STRIDE_SHARE: usize = 8;
 
 /// A link up: where a run of triangles goes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Up {
+pub(super) struct UpLink {
     /// The step whose floor contains the triangles.
     pub above: u32,
     /// The corner of its floor where the run begins; see `Rule::starts`.
@@ -58,7 +58,7 @@ pub(super) struct Up {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct Draft {
     pub kind: u32,
-    pub up: Vec<Up>,
+    pub up: Vec<UpLink>,
     /// Steps that must be inserted first, except for those that others in the list need anyway.
     pub down: Vec<u32>,
     /// Listed vertices, as distances from the first vertex of the step.
@@ -69,7 +69,7 @@ pub(super) struct Draft {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::model) struct Records {
     pub step_count: usize,
-    layout: Layout,
+    layout: RecordLayout,
     /// The words of all blocks.
     blocks: Vec<u32>,
     bits: Bits,
@@ -93,7 +93,7 @@ struct RecordBlock {
 
 /// Counts and widths that determine the packed layout.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(in crate::model) struct Layout {
+pub(in crate::model) struct RecordLayout {
     /// Number of kinds.
     pub kind_count: u32,
     /// Number of low bits of a kind, which every step stores.
@@ -108,7 +108,7 @@ pub(in crate::model) struct Layout {
 
 /// Kind of a step, and the place, number and widths of its links.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Head {
+pub(super) struct StepHead {
     pub kind: u32,
     pub up_count: u32,
     pub down_count: u32,
@@ -121,7 +121,7 @@ pub(super) struct Head {
     down_width: u32,
 }
 
-impl Layout {
+impl RecordLayout {
     #[inline]
     fn kind_bits(&self) -> u32 {
         width_of(u64::from(self.kind_count))
@@ -186,7 +186,7 @@ impl Records {
     ///
     /// # Errors
     /// [`ModelError::TooMany`] if they need more bits than a 32-bit offset can address.
-    pub(super) fn pack(drafts: &[Draft], layout: Layout) -> Result<Self, ModelError> {
+    pub(super) fn pack(drafts: &[Draft], layout: RecordLayout) -> Result<Self, ModelError> {
         let layout = layout.fitted(drafts);
         let (blocks, bits) = (Vec::new(), Bits::default());
         let mut records = Self { step_count: drafts.len(), layout, blocks, bits };
@@ -318,7 +318,7 @@ impl Records {
 
     /// Returns the kind of a step and the place of its links.
     #[inline]
-    pub(super) fn head(&self, step: u32) -> Head {
+    pub(super) fn head(&self, step: u32) -> StepHead {
         match self.block(step) {
             Ok(block) => {
                 let k = step % BLOCK as u32;
@@ -344,8 +344,8 @@ impl Records {
 
     /// Returns the head of step `k` of a narrow block, whose links begin at a bit.
     #[inline]
-    fn narrow_head(&self, block: &RecordBlock, k: u32, mut at: usize) -> Head {
-        let Layout { short_kind_bits, .. } = self.layout;
+    fn narrow_head(&self, block: &RecordBlock, k: u32, mut at: usize) -> StepHead {
+        let RecordLayout { short_kind_bits, .. } = self.layout;
         let ups = (block.ups >> (4 * k)) as u32;
         let downs = (block.downs >> (self.layout.down_count_bits() * k)) as u32;
         let mut kind = self.bits.get(block.kinds + (k * short_kind_bits) as usize, short_kind_bits) as u32;
@@ -356,7 +356,7 @@ impl Records {
         }
         let (down_count, extra_count) =
             if self.layout.has_wide_counts { (downs & 7, downs >> 3 & 1) } else { (downs & 3, 0) };
-        Head {
+        StepHead {
             kind,
             up_count: ups & 7,
             down_count,
@@ -381,7 +381,7 @@ impl Records {
     #[inline]
     pub(super) fn try_for_each_head<E>(
         &self,
-        mut visit: impl FnMut(u32, &Head) -> Result<(), E>,
+        mut visit: impl FnMut(u32, &StepHead) -> Result<(), E>,
     ) -> Result<(), E> {
         for first in (0..self.step_count as u32).step_by(BLOCK) {
             let block = self.block(first);
@@ -400,7 +400,7 @@ impl Records {
     }
 
     #[cold]
-    fn wide_head(&self, step: u32, start: usize) -> Head {
+    fn wide_head(&self, step: u32, start: usize) -> StepHead {
         let [offset_width, count_width, down_width] =
             [1, 2, 3].map(|i| self.bits.get(start + i * WIDTH_BITS as usize, WIDTH_BITS) as u32);
         let widths = WideWidths::of(&self.layout, self.step_count, step & !(BLOCK as u32 - 1));
@@ -411,7 +411,7 @@ impl Records {
         let counts = at + (kind_bits + offset_width) as usize;
         let count = |i: usize| self.bits.get(counts + i * count_width as usize, count_width) as u32;
         let offset = self.bits.get(at + kind_bits as usize, offset_width) as usize;
-        Head {
+        StepHead {
             kind: self.bits.get(at, kind_bits) as u32,
             up_count: count(0),
             down_count: count(1),
@@ -432,11 +432,11 @@ impl Records {
 
     /// Returns a link up.
     #[inline]
-    pub(super) fn up(&self, head: &Head, link: u32) -> Up {
+    pub(super) fn up(&self, head: &StepHead, link: u32) -> UpLink {
         let number = self.bits.get(head.at + (link * head.up_width) as usize, head.up_width);
         let error_bits = self.layout.error_bits();
         let above = (number >> (error_bits + head.code_bits)) as u32;
-        Up {
+        UpLink {
             above: above.wrapping_add(head.step & !(BLOCK as u32 - 1)),
             code: (number >> error_bits) as u32 & ((1 << head.code_bits) - 1),
             error: number as u32 & ((1 << error_bits) - 1),
@@ -445,7 +445,7 @@ impl Records {
 
     /// Returns all links up of a step.
     #[inline]
-    pub(super) fn ups(&self, head: &Head) -> impl Iterator<Item = Up> + use<'_> {
+    pub(super) fn ups(&self, head: &StepHead) -> impl Iterator<Item = UpLink> + use<'_> {
         let head = *head;
         (0..head.up_count).map(move |link| self.up(&head, link))
     }
@@ -453,7 +453,7 @@ impl Records {
     /// Returns the steps that a step depends on, except for those that others in the list need anyway.
     /// Wrapping, because a damaged record may name steps that do not exist.
     #[inline]
-    pub(super) fn downs(&self, head: &Head) -> impl Iterator<Item = u32> + use<'_> {
+    pub(super) fn downs(&self, head: &StepHead) -> impl Iterator<Item = u32> + use<'_> {
         let head = *head;
         let at = head.at + (head.up_count * head.up_width) as usize;
         (0..head.down_count).map(move |i| {
@@ -464,7 +464,7 @@ impl Records {
 
     /// Returns the vertices that a step lists, as distances from its first vertex.
     #[inline]
-    pub(super) fn extras(&self, head: &Head) -> impl Iterator<Item = u32> + use<'_> {
+    pub(super) fn extras(&self, head: &StepHead) -> impl Iterator<Item = u32> + use<'_> {
         let head = *head;
         let at = head.at + (head.up_count * head.up_width + head.down_count * head.down_width) as usize;
         (0..head.extra_count)
@@ -473,7 +473,7 @@ impl Records {
 
     /// Returns the first bit after the links of a step.
     #[inline]
-    fn end_of(&self, head: &Head) -> u64 {
+    fn end_of(&self, head: &StepHead) -> u64 {
         let ups = u64::from(head.up_count) * u64::from(head.up_width);
         let downs = (u64::from(head.down_count) + u64::from(head.extra_count)) * u64::from(head.down_width);
         head.at as u64 + ups + downs
@@ -489,12 +489,12 @@ impl Records {
         (&self.blocks, &self.bits)
     }
 
-    pub(super) fn layout(&self) -> Layout {
+    pub(super) fn layout(&self) -> RecordLayout {
         self.layout
     }
 
     /// Calls `visit` with the heads of all steps in order.
-    pub(super) fn for_each_head(&self, mut visit: impl FnMut(u32, &Head)) {
+    pub(super) fn for_each_head(&self, mut visit: impl FnMut(u32, &StepHead)) {
         let Ok(()) = self.try_for_each_head(|step, head| {
             visit(step, head);
             Ok::<(), Infallible>(())
@@ -508,7 +508,7 @@ impl Records {
     /// [`ModelError`] naming the first mismatch.
     pub(super) fn from_parts(
         step_count: usize,
-        layout: Layout,
+        layout: RecordLayout,
         (blocks, bits): (Vec<u32>, Bits),
     ) -> Result<Self, ModelError> {
         let records = Self { step_count, layout, blocks, bits };
@@ -615,7 +615,7 @@ pub(super) struct HeadCursor<'a> {
 impl HeadCursor<'_> {
     /// Returns the kind of a step and where its links are.
     #[inline]
-    pub(super) fn head(&mut self, step: u32) -> Head {
+    pub(super) fn head(&mut self, step: u32) -> StepHead {
         let block_index = step as usize / BLOCK;
         let is_same_block = block_index == self.block_index;
         if !is_same_block {
@@ -647,14 +647,14 @@ struct WideWidths {
 }
 
 impl WideWidths {
-    fn of(layout: &Layout, step_count: usize, first: u32) -> Self {
+    fn of(layout: &RecordLayout, step_count: usize, first: u32) -> Self {
         let code = width_of(u64::from(layout.half_edge_count));
         Self { up: step_width(step_count, first) + code + layout.error_bits(), code }
     }
 }
 
-impl Layout {
-    fn pack_up(&self, up: &Up, first: u32, code_bits: u32) -> u64 {
+impl RecordLayout {
+    fn pack_up(&self, up: &UpLink, first: u32, code_bits: u32) -> u64 {
         let above = u64::from(up.above - first) << code_bits | u64::from(up.code);
         above << self.error_bits() | u64::from(up.error)
     }

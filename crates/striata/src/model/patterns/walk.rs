@@ -8,8 +8,8 @@ use super::Patterns;
 use super::dependencies::Dependencies;
 use super::exchange::{rotated, vertices_of};
 use super::overlaps::run_location;
-use super::overlaps::{MAX_RUN, Share};
-use super::records::Head;
+use super::overlaps::{CeilingShare, MAX_RUN};
+use super::records::StepHead;
 use super::rule::NONE;
 use super::rule_table::{Number, RuleView, of_rule};
 use crate::mesh::Face;
@@ -187,7 +187,7 @@ impl<'a> FragmentWalk<'a> {
     }
 
     #[inline]
-    fn visit(&mut self, step: u32, head: &Head, task: VisitPurpose) -> Result<(), &'static str> {
+    fn visit(&mut self, step: u32, head: &StepHead, task: VisitPurpose) -> Result<(), &'static str> {
         let patterns = self.patterns;
         let (rule, sharing) = patterns.kinds.get(head.kind);
         of_rule!(patterns.rules.rule(rule), rule => {
@@ -203,7 +203,7 @@ impl<'a> FragmentWalk<'a> {
     fn start<N: Number>(
         &mut self,
         step: u32,
-        head: &Head,
+        head: &StepHead,
         rule: &RuleView<'_, N>,
     ) -> Result<(), &'static str> {
         let Self { patterns, locals, .. } = self;
@@ -298,7 +298,7 @@ impl<'a> FragmentWalk<'a> {
 
     /// Checks that the links down lead to the steps that create the floor, except for those that others need.
     #[inline]
-    fn check_dependencies(&mut self, head: &Head) -> Result<(), &'static str> {
+    fn check_dependencies(&mut self, head: &StepHead) -> Result<(), &'static str> {
         let needed = self.dependencies.add(&self.makers);
         if needed.len() == head.down_count as usize
             && self.patterns.records.downs(head).zip(needed).all(|(below, needed)| below == *needed)
@@ -313,7 +313,7 @@ impl<'a> FragmentWalk<'a> {
     fn place_ceiling<N: Number>(
         &mut self,
         step: u32,
-        head: &Head,
+        head: &StepHead,
         (rule, sharing): (&RuleView<'_, N>, u32),
         task: VisitPurpose,
     ) -> Result<(), &'static str> {
@@ -324,10 +324,10 @@ impl<'a> FragmentWalk<'a> {
         let mut link_count = 0;
         patterns.sharings.get(sharing).try_for_each_run(
             rule.ceiling_count(),
-            |run, Share { link, offset }| {
+            |run, CeilingShare { link, offset }| {
                 let mut location = offset;
                 let mut above = step;
-                if link != Share::FULL {
+                if link != CeilingShare::FULL {
                     if link >= head.up_count {
                         return Err("has fewer links than its sharing");
                     }

@@ -1,6 +1,6 @@
 //! The cell task: simplifies the inside of a cell, and numbers its steps and survivors.
 
-use super::trace::Trace;
+use super::trace::CellTrace;
 use super::union::{BORDER, CellUnion, append};
 use super::{Cell, CellMesh, CellOptions, CellSteps, SimplifiedCell};
 use crate::ignore_progress;
@@ -35,13 +35,13 @@ pub fn simplify_cell(cell: &Cell, options: &CellOptions) -> Result<SimplifiedCel
     let simplifier = Simplifier::of_cell(&union.welded, &sequence, scale);
     let (mut record, mut stop_reason) = simplifier.run(&mut ignore_progress)?;
     let targets = targets_within(&union, &record);
-    let mut trace = Trace::new(&union, &cell.inside);
+    let mut trace = CellTrace::new(&union, &cell.inside);
     trace.run(&record, &targets, scale);
     let is_kept = trace.within(options.sequence.max_error.unwrap_or(f64::INFINITY));
     if is_kept.contains(&false) {
         record.retain(&is_kept);
         stop_reason = StopReason::ErrorLimit;
-        trace = Trace::new(&union, &cell.inside);
+        trace = CellTrace::new(&union, &cell.inside);
         trace.run(&record, &targets, scale);
     }
     let numbering = Numbering::new(&union, &record);
@@ -156,7 +156,7 @@ fn gather(parts: &CellParts<'_>, sources: &[u32]) -> (Vec<[f32; 3]>, Vec<Attribu
     (sources.iter().map(position).collect(), layers.collect())
 }
 
-fn cell_steps(parts: &CellParts<'_>, trace: &Trace<'_>, targets: &[u32]) -> CellSteps {
+fn cell_steps(parts: &CellParts<'_>, trace: &CellTrace<'_>, targets: &[u32]) -> CellSteps {
     let CellParts { cell, union, record, numbering } = parts;
     let mesh = &union.welded.mesh;
     let welded_count = mesh.vertex_count() as u32;
@@ -194,7 +194,7 @@ fn cell_steps(parts: &CellParts<'_>, trace: &Trace<'_>, targets: &[u32]) -> Cell
     steps
 }
 
-fn survivors(parts: &CellParts<'_>, trace: &Trace<'_>) -> CellMesh {
+fn survivors(parts: &CellParts<'_>, trace: &CellTrace<'_>) -> CellMesh {
     let CellParts { cell, union, record, .. } = parts;
     let positions = &union.welded.positions;
     let mut number = vec![NONE; positions.vertex_count()];

@@ -9,7 +9,7 @@ use crate::simplify::collapse::refinement_order::CollapseRecord;
 const NONE: u32 = u32::MAX;
 
 /// The state of a cell's triangles while its steps are replayed.
-pub(super) struct Trace<'a> {
+pub(super) struct CellTrace<'a> {
     union: &'a CellUnion,
     /// Current corners of every welded triangle, as vertices.
     pub corners: Vec<[u32; 3]>,
@@ -39,7 +39,7 @@ struct TraceScratch {
     lost: Vec<u32>,
 }
 
-impl<'a> Trace<'a> {
+impl<'a> CellTrace<'a> {
     pub(super) fn new(union: &'a CellUnion, inside: &CellMesh) -> Self {
         let position_count = union.welded.positions.position_count();
         let triangles = &union.welded.mesh.triangles;

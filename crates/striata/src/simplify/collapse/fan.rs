@@ -89,7 +89,7 @@ impl StarNormal {
 
 /// Lane masks of eight triangles.
 #[derive(Clone, Copy)]
-pub(in crate::simplify) struct Verdict {
+pub(in crate::simplify) struct LaneVerdict {
     /// Triangles that keep their orientation and do not become slivers, as far as their own normals show.
     pub is_allowed: f32x8,
     /// Allowed triangles whose own old normal does not rule out that they turn over within a flat surface.
@@ -98,7 +98,7 @@ pub(in crate::simplify) struct Verdict {
 
 /// Eight triangles `(v, a, b)` and the fan triangles `(u, a, b)` that would replace them.
 #[derive(Clone, Copy)]
-pub(in crate::simplify) struct Change {
+pub(in crate::simplify) struct FanChange {
     /// Lengths of the unscaled normals.
     pub old_length: f32x8,
     pub new_length: f32x8,
@@ -111,14 +111,14 @@ pub(in crate::simplify) struct Change {
     pub new_edges: f32x8,
 }
 
-impl Change {
+impl FanChange {
     /// Tests whether the triangles keep their orientation and do not become slivers.
     ///
     /// The normal of a needle is unreliable, so its replacement must agree with the mean normal of the
     /// star, or stay as small. Scans are full of needles, and locking them would lock their neighbors.
     /// Needles of a flat surface are not allowed to turn over, though: see `flat_fold.rs`.
     #[inline]
-    pub(in crate::simplify) fn verdict(self, star: StarNormal) -> Verdict {
+    pub(in crate::simplify) fn verdict(self, star: StarNormal) -> LaneVerdict {
         let splat = f32x8::splat;
         let was_needle =
             (splat(TWICE_ROOT_3) * self.old_length).simd_le(splat(NEEDLE_QUALITY) * self.old_edges);
@@ -133,7 +133,7 @@ impl Change {
             .simd_ge(splat(SLIVER_QUALITY) * self.new_edges)
             | (self.new_length * self.old_edges).simd_ge(self.old_length * self.new_edges);
         let is_allowed = was_needle.bitselect(follows_mean | stays_small, flips.bitselect(unfolds, is_sound));
-        Verdict { is_allowed, may_turn: is_allowed & (flips | was_noise) }
+        LaneVerdict { is_allowed, may_turn: is_allowed & (flips | was_noise) }
     }
 }
 
@@ -245,7 +245,7 @@ mod tests {
             let edges = |p: Vec3| {
                 splat((a - p).length_squared() + (b - p).length_squared() + (b - a).length_squared())
             };
-            let change = Change {
+            let change = FanChange {
                 old_length: splat(normal.length()),
                 new_length: splat(new.length()),
                 new_on_old: splat(new.dot(normal)),

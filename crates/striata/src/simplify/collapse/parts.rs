@@ -77,7 +77,7 @@ struct PartState {
 
 /// All connected parts of a mesh.
 #[derive(Debug)]
-pub(in crate::simplify) struct Parts {
+pub(in crate::simplify) struct MeshParts {
     of_position: Vec<u32>,
     parts: Vec<PartState>,
     /// The part that each part was merged into, or itself.
@@ -112,7 +112,7 @@ struct PartSample {
     share: f32,
 }
 
-impl Parts {
+impl MeshParts {
     /// Finds the parts of the original mesh. Their triangles are not counted yet; see [`Self::count`].
     pub(in crate::simplify) fn new(welded: &Welded) -> Self {
         let position_count = welded.positions.position_count();
@@ -493,7 +493,7 @@ mod tests {
         let welded = with_decals(heights);
         let positions: Vec<[f32; 4]> =
             welded.mesh.positions.iter().map(|&[x, y, z]| [x, y, z, 0.0]).collect();
-        let mut parts = Parts::new(&welded);
+        let mut parts = MeshParts::new(&welded);
         for t in &welded.mesh.triangles {
             parts.count(t[0]);
         }
@@ -531,7 +531,7 @@ mod tests {
         let welded = with_decals(&[0.5]);
         let positions: Vec<[f32; 4]> =
             welded.mesh.positions.iter().map(|&[x, y, z]| [x, y, z, 0.0]).collect();
-        let mut parts = Parts::new(&welded);
+        let mut parts = MeshParts::new(&welded);
         welded.mesh.triangles.iter().for_each(|t| parts.count(t[0]));
         let snapshot = SurfaceSnapshot::new(
             &Links::new(positions.len(), &welded.mesh.triangles, false),

@@ -8,7 +8,7 @@ use crate::mesh::Welded;
 use super::fan::{nearest, point};
 use super::links::{LinkEdge, Links};
 use super::outward_bounds::OutwardBounds;
-use super::parts::Parts;
+use super::parts::MeshParts;
 use super::surface_snapshot::SurfaceSnapshot;
 use super::walk::NearestStar;
 use super::wedges::Wedges;
@@ -24,7 +24,7 @@ pub(in crate::simplify) type RemovedPositions<'r> = (&'r [u32], &'r [u32]);
 /// Global state of the mesh that relaxed collapses need.
 pub(in crate::simplify) struct RelaxedState<'a> {
     pub welded: &'a Welded,
-    pub parts: Parts,
+    pub parts: MeshParts,
     /// The position that each position was merged into, with path compression.
     pub current: Vec<u32>,
     /// Next position in the cycle of all positions that were merged together; `follower_count` is the
@@ -57,7 +57,7 @@ impl<'a> RelaxedState<'a> {
     pub(in crate::simplify) fn new(welded: &'a Welded, keeps_parts: bool) -> Self {
         Self {
             welded,
-            parts: Parts::new(welded),
+            parts: MeshParts::new(welded),
             current: Vec::new(),
             next: Vec::new(),
             follower_count: Vec::new(),

@@ -5,7 +5,7 @@
 
 use super::corner_forms::CornerForm;
 use super::pairs::materials_of;
-use super::pairs::{Pair, Pairs};
+use super::pairs::{FitPairs, Pair};
 use crate::mesh::{Adjacency, AttributeLayer, IndexedMesh, LayerData, Semantic};
 
 /// Sweeps of Gauss-Seidel relaxation; more change results by less than a percent.
@@ -105,7 +105,7 @@ fn unit(value: Value) -> Option<Value> {
 }
 
 /// Changes the attributes of all vertices so that the level shows what the original does at its pairs.
-pub(super) fn fit_layers(level: &mut IndexedMesh, pairs: &Pairs, original: &IndexedMesh) {
+pub(super) fn fit_layers(level: &mut IndexedMesh, pairs: &FitPairs, original: &IndexedMesh) {
     let rules: Vec<Option<FitRule>> = level.layers.iter().map(FitRule::of).collect();
     if rules.iter().all(Option::is_none) {
         return;

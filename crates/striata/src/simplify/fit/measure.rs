@@ -9,7 +9,7 @@
 use glam::DVec3;
 
 use super::pairs::Pair;
-use super::surface::Surface;
+use super::surface::FitSurface;
 use crate::mesh::TriangleTree;
 
 /// Maximum depth of recursive splits of a triangle.
@@ -66,7 +66,7 @@ impl FarthestPointSearch<'_> {
 
 /// Returns the largest distance from points of `from` to `to`, or `worst` if that is larger.
 /// `near` gives triangles of `to` near those of `from`, as far as they are known.
-fn one_sided_distance(from: &Surface, to: &Surface, near: &[u32], budget: usize, worst: f64) -> f64 {
+fn one_sided_distance(from: &FitSurface, to: &FitSurface, near: &[u32], budget: usize, worst: f64) -> f64 {
     let mut search = FarthestPointSearch { tree: &to.tree, hint: 0, worst };
     let cuts = (budget / from.corners.len().max(1)).checked_ilog(4).unwrap_or(0).min(MAX_CUTS);
     let mut is_measured = vec![false; from.vertex_count];
@@ -89,7 +89,7 @@ fn one_sided_distance(from: &Surface, to: &Surface, near: &[u32], budget: usize,
 
 /// Returns the largest distance from points of either surface to the other, in mesh units, given pairs of points
 /// of both.
-pub(super) fn measured_error(original: &Surface, level: &Surface, pairs: &[Pair]) -> f64 {
+pub(super) fn measured_error(original: &FitSurface, level: &FitSurface, pairs: &[Pair]) -> f64 {
     let budget = MIN_BUDGET.max(original.corners.len() / 2);
     let mut guesses: Vec<(f64, DVec3, DVec3)> = pairs
         .iter()
@@ -129,7 +129,7 @@ mod tests {
         let part = part.without_unused_vertices();
         for (a, b, expected) in [(&large, &large, 0.0), (&tent, &large, 0.5), (&part, &large, 1.0)] {
             for (from, to) in [(a, b), (b, a)] {
-                let [from, to] = [from, to].map(|mesh| Surface::new(mesh).expect("a valid mesh"));
+                let [from, to] = [from, to].map(|mesh| FitSurface::new(mesh).expect("a valid mesh"));
                 let found = measured_error(&from, &to, &[]);
                 assert!(found <= expected && found >= 0.95 * expected, "{found} but {expected}");
             }

@@ -7,7 +7,7 @@
 
 use glam::DVec3;
 
-use super::surface::{Surface, SurfacePoint, share_along};
+use super::surface::{FitPoint, FitSurface, share_along};
 use crate::mesh::{
     Adjacency, AttributeLayer, Edge, IndexedMesh, MeshError, Semantic, TriangleTree, index_positions,
 };
@@ -31,8 +31,8 @@ const SAME_EDGE: f64 = 0.5;
 /// A point of the level, and the point of the original that it should coincide with.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pair {
-    pub level: SurfacePoint,
-    pub original: SurfacePoint,
+    pub level: FitPoint,
+    pub original: FitPoint,
     /// Position of the point of the original.
     pub target: DVec3,
     /// Area that the pair stands for.
@@ -48,12 +48,12 @@ pub(super) struct BorderPair {
 }
 
 /// All pairs between a level and the original.
-pub(super) struct Pairs {
+pub(super) struct FitPairs {
     pub of_surfaces: Vec<Pair>,
     pub of_borders: Vec<BorderPair>,
 }
 
-impl Pairs {
+impl FitPairs {
     /// The pairs of surfaces and borders.
     pub(super) fn all(&self) -> impl Iterator<Item = &Pair> {
         self.of_surfaces.iter().chain(self.of_borders.iter().map(|border| &border.pair))
@@ -61,7 +61,7 @@ impl Pairs {
 }
 
 /// Distances of each triangle of a level from the original, measured by its pairs.
-pub(super) struct Distances {
+pub(super) struct FitDistances {
     /// Sum of squares, weighted by area.
     squares: Vec<f64>,
     /// Area of the pairs.
@@ -70,7 +70,7 @@ pub(super) struct Distances {
     worst: Vec<f64>,
 }
 
-impl Distances {
+impl FitDistances {
     pub(super) fn mean_square(&self) -> f64 {
         self.squares.iter().sum::<f64>() / self.areas.iter().sum::<f64>().max(f64::MIN_POSITIVE)
     }
@@ -90,18 +90,18 @@ impl Distances {
 
 /// A sample of one surface, and the triangle of the other that it was last paired with.
 struct PairedSample {
-    point: SurfacePoint,
+    point: FitPoint,
     area: f64,
     last: Option<u32>,
 }
 
 impl PairedSample {
     fn new(triangle: usize, shares: [f64; 3], area: f64) -> Self {
-        Self { point: SurfacePoint { triangle: triangle as u32, shares }, area, last: None }
+        Self { point: FitPoint { triangle: triangle as u32, shares }, area, last: None }
     }
 
     /// Finds the partner on the other surface.
-    fn partner(&mut self, (own, other): (&Surface, &Surface), near: &mut usize) -> Option<SurfacePoint> {
+    fn partner(&mut self, (own, other): (&FitSurface, &FitSurface), near: &mut usize) -> Option<FitPoint> {
         let normal = own.normals[self.point.triangle as usize];
         let found = other.nearest(own.at(self.point), normal, (near, self.last));
         self.last = found.map(|point| point.triangle);
@@ -111,9 +111,9 @@ impl PairedSample {
 
 /// Finds the pairs of a level while its vertices move.
 pub(super) struct Pairing {
-    pub original: Surface,
+    pub original: FitSurface,
     /// The level as it was when pairs were last found.
-    pub level: Surface,
+    pub level: FitSurface,
     borders: Borders,
     level_sides: Vec<u32>,
     of_original: Vec<PairedSample>,
@@ -126,7 +126,7 @@ impl Pairing {
     pub(super) fn new(original: &IndexedMesh, level: &IndexedMesh) -> Result<Self, MeshError> {
         let borders = Borders::new(original, &border_sides(original));
         let level_sides = border_sides(level);
-        let original = Surface::new(original)?;
+        let original = FitSurface::new(original)?;
         let samples = SAMPLES * level.triangle_count() as f64;
         let stride = (original.normals.len() as f64 / samples).max(1.0);
         let (mut of_original, mut area, mut next) = (Vec::new(), 0.0, 0.5 * (stride - 1.0));
@@ -139,15 +139,15 @@ impl Pairing {
         }
         let of_level =
             (0..level.triangle_count()).flat_map(|t| POINTS.map(|shares| PairedSample::new(t, shares, 0.0)));
-        let level = Surface::new(level)?;
+        let level = FitSurface::new(level)?;
         Ok(Self { original, level, borders, level_sides, of_original, of_level: of_level.collect() })
     }
 
     /// The distances of pairs of the level as it was when they were found.
-    pub(super) fn distances(&self, pairs: &Pairs) -> Distances {
+    pub(super) fn distances(&self, pairs: &FitPairs) -> FitDistances {
         let count = self.level.triangles.len();
         let mut found =
-            Distances { squares: vec![0.0; count], areas: vec![0.0; count], worst: vec![0.0; count] };
+            FitDistances { squares: vec![0.0; count], areas: vec![0.0; count], worst: vec![0.0; count] };
         for pair in &pairs.of_surfaces {
             let t = pair.level.triangle as usize;
             let square = self.level.at(pair.level).distance_squared(pair.target);
@@ -159,7 +159,7 @@ impl Pairing {
     }
 
     /// Finds the pairs of the level that this was made for, whose vertices may have moved.
-    pub(super) fn pairs(&mut self, level: &IndexedMesh) -> Pairs {
+    pub(super) fn pairs(&mut self, level: &IndexedMesh) -> FitPairs {
         self.level.move_vertices(&level.positions);
         let surface = &self.level;
         let mut of_surfaces = Vec::with_capacity(self.of_original.len() + self.of_level.len());
@@ -185,7 +185,7 @@ impl Pairing {
             of_surfaces.push(Pair { level: sample.point, original: found, target, area });
         }
         let of_borders = self.borders.pairs_with(&Borders::new(level, &self.level_sides));
-        Pairs { of_surfaces, of_borders }
+        FitPairs { of_surfaces, of_borders }
     }
 }
 
@@ -205,10 +205,10 @@ struct OpenEdge {
 
 impl OpenEdge {
     /// Point with this share of the end.
-    fn point(&self, share: f64) -> SurfacePoint {
+    fn point(&self, share: f64) -> FitPoint {
         let mut shares = [0.0; 3];
         (shares[self.corner], shares[(self.corner + 1) % 3]) = (1.0 - share, share);
-        SurfacePoint { triangle: self.triangle, shares }
+        FitPoint { triangle: self.triangle, shares }
     }
 
     fn side(&self) -> DVec3 {

@@ -5,8 +5,8 @@ use std::collections::HashSet;
 use glam::{DMat3, DVec3};
 
 use super::corner_forms::CornerForm;
-use super::pairs::{BorderPair, Pairs, is_boundary};
-use super::surface::SurfacePoint;
+use super::pairs::{BorderPair, FitPairs, is_boundary};
+use super::surface::FitPoint;
 use crate::mesh::{Adjacency, IndexedMesh, index_positions};
 use crate::simplify::options::{BoundaryRule, SequenceOptions};
 
@@ -155,7 +155,7 @@ impl LevelPositions {
 }
 
 /// Moves the vertices so that the summed squared distance of all pairs along normals is least.
-pub(super) fn move_vertices(level: &mut IndexedMesh, pairs: &Pairs, constraints: &Constraints) {
+pub(super) fn move_vertices(level: &mut IndexedMesh, pairs: &FitPairs, constraints: &Constraints) {
     let places = LevelPositions::of(level);
     let terms = terms_of(&places, pairs);
     let is_fixed = places.fixed(level, constraints);
@@ -171,14 +171,14 @@ pub(super) fn move_vertices(level: &mut IndexedMesh, pairs: &Pairs, constraints:
 }
 
 /// Collects the terms of each triangle.
-fn terms_of(places: &LevelPositions, pairs: &Pairs) -> Vec<TriangleTerms> {
+fn terms_of(places: &LevelPositions, pairs: &FitPairs) -> Vec<TriangleTerms> {
     let still = vec![DVec3::ZERO; places.places.len()];
     let triangles = places.adjacency.triangles();
     let along_normal = |t| Term::new(places.normal(t, &still).normalize_or_zero());
     let mut terms: Vec<TriangleTerms> = (0..triangles.len())
         .map(|t| TriangleTerms { along_normal: along_normal(t), across_edges: Vec::new() })
         .collect();
-    let away = |point: SurfacePoint, target: DVec3| {
+    let away = |point: FitPoint, target: DVec3| {
         let [a, b, c] = triangles[point.triangle as usize].map(|p| places.places[p as usize]);
         let [u, v, w] = point.shares;
         target - (u * a + v * b + w * c)

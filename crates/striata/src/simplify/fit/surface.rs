@@ -13,13 +13,13 @@ const REACH_SHARE: f64 = 0.005;
 
 /// A point of a triangle, by the shares of its corners.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct SurfacePoint {
+pub(super) struct FitPoint {
     pub triangle: u32,
     pub shares: [f64; 3],
 }
 
 /// The triangles of a mesh, or its edges as triangles without area.
-pub(super) struct Surface {
+pub(super) struct FitSurface {
     pub tree: TriangleTree,
     pub corners: Vec<[DVec3; 3]>,
     pub triangles: Vec<[u32; 3]>,
@@ -29,7 +29,7 @@ pub(super) struct Surface {
     reach: f64,
 }
 
-impl Surface {
+impl FitSurface {
     /// # Errors
     /// [`MeshError`] if the mesh is inconsistent.
     pub(super) fn new(mesh: &IndexedMesh) -> Result<Self, MeshError> {
@@ -53,7 +53,7 @@ impl Surface {
         self.tree.move_corners(self.triangles.iter().map(|t| t.map(|v| positions[v as usize])));
     }
 
-    pub(super) fn at(&self, point: SurfacePoint) -> DVec3 {
+    pub(super) fn at(&self, point: FitPoint) -> DVec3 {
         let [a, b, c] = self.corners[point.triangle as usize];
         let [u, v, w] = point.shares;
         u * a + v * b + w * c
@@ -66,8 +66,8 @@ impl Surface {
         point: DVec3,
         normal: DVec3,
         (near, last): (&mut usize, Option<u32>),
-    ) -> Option<SurfacePoint> {
-        let on = |triangle: usize| SurfacePoint {
+    ) -> Option<FitPoint> {
+        let on = |triangle: usize| FitPoint {
             triangle: triangle as u32,
             shares: nearest_shares(point, self.corners[triangle]),
         };
@@ -168,7 +168,7 @@ mod tests {
             at(0.0, 1.0, -0.005),
         ];
         let sheet = IndexedMesh::new(positions, vec![[0, 1, 2], [3, 5, 4]]);
-        let surface = Surface::new(&sheet).expect("a valid mesh");
+        let surface = FitSurface::new(&sheet).expect("a valid mesh");
         for (normal, expected) in [(DVec3::Z, 0), (DVec3::NEG_Z, 1)] {
             let mut near = usize::MAX;
             let found = surface.nearest(DVec3::new(0.2, 0.2, 0.001), normal, (&mut near, None));

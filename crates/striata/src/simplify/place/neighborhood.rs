@@ -22,7 +22,7 @@ pub(super) type SeamWeight<'a> = &'a dyn Fn([u32; 2], DVec3) -> Option<f64>;
 
 /// Scratch for the star of one position at a time; vectors are relative to its center.
 #[derive(Debug, Default)]
-pub(super) struct Neighborhood {
+pub(super) struct PositionStar {
     pub center: DVec3,
     /// Neighbors, each once.
     pub ids: Vec<u32>,
@@ -38,7 +38,7 @@ pub(super) struct Neighborhood {
     seams: Vec<(u32, f64)>,
 }
 
-impl Neighborhood {
+impl PositionStar {
     /// Gathers the star of `v`. `seam_weight(triangles, along)` returns the weight of leaving the edge
     /// `along` if the two triangles at it use different wedges of `v`; infinite for seams that must stay.
     pub(super) fn gather(
@@ -261,10 +261,10 @@ mod tests {
     use super::*;
     use crate::mesh::shapes;
 
-    fn neighborhood_of(v: u32) -> Neighborhood {
+    fn neighborhood_of(v: u32) -> PositionStar {
         let mesh = shapes::grid(2, 2);
         let positions: Vec<DVec3> = mesh.positions.iter().map(|p| DVec3::from(p.map(f64::from))).collect();
-        let mut neighborhood = Neighborhood::default();
+        let mut neighborhood = PositionStar::default();
         neighborhood.gather(&Links::new(9, &mesh.triangles, false), &positions, v, None);
         neighborhood
     }

@@ -9,9 +9,11 @@ use crate::simplify::collapse::wedges::Wedges;
 use crate::simplify::options::{SimplifyError, StopReason, TopologyRule};
 use crate::{Progress, ProgressFn};
 
-use super::removal_evaluator::{CollapsePhase, Filling, Precision, RemovalCandidate, RemovalEvaluator};
+use super::removal_evaluator::{
+    CollapsePhase, Filling, RemovalCandidate, RemovalEvaluator, RemovalPrecision,
+};
 use super::removal_options::{RemovalOptions, RemovalOrder, Retriangulation};
-use super::removal_record::{Faces, Outcome, RemovalRecord};
+use super::removal_record::{Faces, RemovalOutcome, RemovalRecord};
 
 /// Number of removals between two progress reports.
 const REPORT_INTERVAL: u64 = 4096;
@@ -65,7 +67,7 @@ impl<'a> FragmentBuilder<'a> {
 
     /// Removes vertices until none can be removed, the base size is reached, or the error limit forbids
     /// all that are left.
-    pub(super) fn run(mut self, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError> {
+    pub(super) fn run(mut self, progress: &mut ProgressFn<'_>) -> Result<RemovalOutcome, SimplifyError> {
         let total = self.evaluator.collapse_evaluator.positions.len() as u64;
         if self.schedule.is_possible() {
             self.schedule.begin_or_postpone(&mut self.evaluator.collapse_evaluator, (&[], &[]));
@@ -87,7 +89,7 @@ impl<'a> FragmentBuilder<'a> {
             if self.triangle_count <= self.options.base_triangle_count {
                 return Ok(self.end(StopReason::TargetReached));
             }
-            let Some(candidate) = self.evaluator.evaluate(v, Precision::Exact) else {
+            let Some(candidate) = self.evaluator.evaluate(v, RemovalPrecision::Exact) else {
                 // Changes nearby have made the removal illegal.
                 self.heap.remove(v);
                 continue;
@@ -165,14 +167,20 @@ impl<'a> FragmentBuilder<'a> {
         self.heap.first().is_some_and(|(_, first)| first != v)
     }
 
-    fn end(mut self, stop_reason: StopReason) -> Outcome {
+    fn end(mut self, stop_reason: StopReason) -> RemovalOutcome {
         let corners = self.evaluator.collapse_evaluator.wedges.map(Wedges::into_corners).unwrap_or_default();
         self.record.has_vanished = self.has_vanished;
-        Outcome { record: self.record, faces: Faces { corners, groups: self.evaluator.groups }, stop_reason }
+        RemovalOutcome {
+            record: self.record,
+            faces: Faces { corners, groups: self.evaluator.groups },
+            stop_reason,
+        }
     }
 
     fn key(&mut self, v: u32) -> f32 {
-        self.evaluator.evaluate(v, Precision::Estimate).map_or(f32::INFINITY, |candidate| candidate.cost)
+        self.evaluator
+            .evaluate(v, RemovalPrecision::Estimate)
+            .map_or(f32::INFINITY, |candidate| candidate.cost)
     }
 
     /// Returns a bound, in mesh units and rounded up, on the distance of the surface that the last

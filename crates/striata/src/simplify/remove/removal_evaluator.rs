@@ -54,7 +54,7 @@ pub(super) enum CollapsePhase {
 
 /// How precisely a removal is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Precision {
+pub(super) enum RemovalPrecision {
     /// An approximate cost, for the order of vertices that are not yet due.
     Estimate,
     Exact,
@@ -153,7 +153,7 @@ impl<'a> RemovalEvaluator<'a> {
     }
 
     /// Finds the best way to fill the hole that `v` would leave, and leaves its triangles in `floor`.
-    pub(super) fn evaluate(&mut self, v: u32, precision: Precision) -> Option<RemovalCandidate> {
+    pub(super) fn evaluate(&mut self, v: u32, precision: RemovalPrecision) -> Option<RemovalCandidate> {
         let degree = self.collapse_evaluator.links.triangle_count(v);
         if self.collapse_evaluator.is_fixed(v) || degree == 0 || degree > MAX_HUB_TRIANGLES {
             return None;
@@ -239,7 +239,7 @@ impl<'a> RemovalEvaluator<'a> {
         })
     }
 
-    fn evaluate_ring(&mut self, v: u32, precision: Precision) -> Option<RemovalCandidate> {
+    fn evaluate_ring(&mut self, v: u32, precision: RemovalPrecision) -> Option<RemovalCandidate> {
         if !self.load_hole(v) || !self.keep_features() {
             return None;
         }
@@ -256,12 +256,12 @@ impl<'a> RemovalEvaluator<'a> {
         let area = self.hole.area();
         let mut surface_cost = self.volume_cost() + self.border_cost();
         let (increase, one_sided, protrusion) = match precision {
-            Precision::Estimate => {
+            RemovalPrecision::Estimate => {
                 surface_cost += GAP_AREA_WEIGHT * area * gap_sum;
                 let (increase, one_sided) = self.increase_estimate();
                 (increase, one_sided, gap_squared)
             }
-            Precision::Exact => {
+            RemovalPrecision::Exact => {
                 let (own, _) = nearest(&self.floor_corners, Vec3::ZERO)?;
                 let protrusion = gap_squared.max(self.hole.protrusion_squared(&self.floor));
                 surface_cost += GAP_AREA_WEIGHT * area * (own + gap_sum.max(protrusion));

@@ -28,7 +28,7 @@ pub(super) struct RemovalRecord {
 }
 
 /// State at the end of the loop.
-pub(super) struct Outcome {
+pub(super) struct RemovalOutcome {
     pub record: RemovalRecord,
     pub faces: Faces,
     pub stop_reason: StopReason,
@@ -40,7 +40,7 @@ pub(super) struct Faces {
     pub groups: Vec<u32>,
 }
 
-impl Outcome {
+impl RemovalOutcome {
     /// Builds the mesh and its fragments in refinement order.
     pub(super) fn into_fragments(
         self,

@@ -8,13 +8,13 @@ use serde_json::{Map, Value, json};
 
 use crate::QuantizeOptions;
 use crate::gltf::accessor::accessor;
-use crate::gltf::component_type::ComponentType;
+use crate::gltf::component_type::GltfComponentType;
 use crate::gltf::compression::contained;
-use crate::gltf::document::Document;
+use crate::gltf::document::GltfDocument;
 use crate::gltf::draco_mesh;
 use crate::gltf::passes::additions::{Additions, ViewKind, remove};
 use crate::gltf::passes::elements::Elements;
-use crate::gltf::passes::primitives::{Primitive, TRIANGLES};
+use crate::gltf::passes::primitives::{PassPrimitive, TRIANGLES};
 
 /// Compression level, from 0 to 10; the default of Draco's own command.
 const LEVEL: i32 = 7;
@@ -23,7 +23,7 @@ const LEVEL: i32 = 7;
 const JSON_BYTES: usize = 160;
 
 /// Compressed primitive.
-pub(super) struct Coded {
+pub(super) struct CodedPrimitive {
     bytes: Vec<u8>,
     attributes: Vec<CodedAttribute>,
     index_count: usize,
@@ -45,14 +45,15 @@ pub(super) struct CodedJson {
     pub extension: Value,
 }
 
-impl Coded {
+impl CodedPrimitive {
     /// Adds the compressed data and the accessors to the document.
     pub(super) fn added_to(self, additions: &mut Additions) -> CodedJson {
-        let bytes = Elements::integers(self.bytes.into_iter().map(i64::from), 1, ComponentType::U8);
+        let bytes = Elements::integers(self.bytes.into_iter().map(i64::from), 1, GltfComponentType::U8);
         let role = format!("draco {}", additions.shelves.len());
         let mut extension = json!({});
         additions.store(ViewKind::of_others(&role, &bytes), &bytes, &mut extension);
-        let component = if self.point_count < 0xffff { ComponentType::U16 } else { ComponentType::U32 };
+        let component =
+            if self.point_count < 0xffff { GltfComponentType::U16 } else { GltfComponentType::U32 };
         let indices = additions.push_accessor(json!({
             "componentType": component.number(),
             "count": self.index_count,
@@ -81,10 +82,10 @@ type Precision<'a> = (Option<&'a QuantizeOptions>, Option<([[f32; 3]; 2], u32)>)
 
 /// Encodes a primitive; [`None`] if it must or should stay uncompressed.
 pub(super) fn coded(
-    document: &Document<'_>,
-    primitive: &Primitive,
+    document: &GltfDocument<'_>,
+    primitive: &PassPrimitive,
     precision: Precision<'_>,
-) -> Option<Coded> {
+) -> Option<CodedPrimitive> {
     let mut sources = Vec::new();
     for (name, index) in &primitive.attributes {
         let elements = Elements::read(&accessor(document, *index, &document.root).ok()?);
@@ -103,7 +104,11 @@ pub(super) fn coded(
 }
 
 /// Returns the triangles of a primitive; [`None`] if its indices are damaged or there are no triangles.
-fn triangles(document: &Document<'_>, primitive: &Primitive, vertex_count: usize) -> Option<Vec<[u32; 3]>> {
+fn triangles(
+    document: &GltfDocument<'_>,
+    primitive: &PassPrimitive,
+    vertex_count: usize,
+) -> Option<Vec<[u32; 3]>> {
     let list: Vec<u32> = match primitive.indices {
         Some(indices) => accessor(document, indices, &document.root).ok()?.integers()?,
         None => (0..u32::try_from(vertex_count).ok()?).collect(),
@@ -149,7 +154,7 @@ fn encode(
     triangles: &[[u32; 3]],
     sources: &[VertexAttribute<'_>],
     (quantization, cube): Precision<'_>,
-) -> Result<Coded, String> {
+) -> Result<CodedPrimitive, String> {
     let mut mesh = Mesh::new();
     mesh.set_num_points(sources.first().map_or(0, |source| source.elements.count));
     let mut options = EncoderOptions::new();
@@ -205,7 +210,7 @@ fn described(
     triangles: &[[u32; 3]],
     sources: &[VertexAttribute<'_>],
     ids: &[u32],
-) -> Result<Coded, String> {
+) -> Result<CodedPrimitive, String> {
     let decoded = draco_mesh::decode(&bytes, u64::MAX)?;
     let (point_count, triangle_count) = (decoded.num_points(), decoded.num_faces());
     if triangle_count > triangles.len()
@@ -228,7 +233,7 @@ fn described(
         }
         attributes.push(CodedAttribute { name: source.name.to_owned(), id, accessor });
     }
-    Ok(Coded { bytes, attributes, index_count: triangle_count * 3, point_count })
+    Ok(CodedPrimitive { bytes, attributes, index_count: triangle_count * 3, point_count })
 }
 
 /// Returns the number of triangles of which two corners have the same position; Draco drops them.
@@ -246,12 +251,12 @@ fn collapsed_count(triangles: &[[u32; 3]], sources: &[VertexAttribute<'_>]) -> u
 fn attribute(source: &VertexAttribute<'_>) -> Result<PointAttribute, String> {
     let Elements { component, width, normalized, count, ref bytes } = source.elements;
     let data_type = match component {
-        ComponentType::I8 => DataType::Int8,
-        ComponentType::U8 => DataType::Uint8,
-        ComponentType::I16 => DataType::Int16,
-        ComponentType::U16 => DataType::Uint16,
-        ComponentType::U32 => DataType::Uint32,
-        ComponentType::F32 => DataType::Float32,
+        GltfComponentType::I8 => DataType::Int8,
+        GltfComponentType::U8 => DataType::Uint8,
+        GltfComponentType::I16 => DataType::Int16,
+        GltfComponentType::U16 => DataType::Uint16,
+        GltfComponentType::U32 => DataType::Uint32,
+        GltfComponentType::F32 => DataType::Float32,
     };
     let mut attribute = PointAttribute::new();
     let width = u8::try_from(width).map_err(|error| error.to_string())?;
@@ -281,5 +286,5 @@ fn bits(source: &VertexAttribute<'_>, quantization: &QuantizeOptions) -> Option<
         (_, GeometryAttributeType::Color) => quantization.color_bits,
         _ => return None,
     };
-    (source.elements.component == ComponentType::F32).then_some(bits.clamp(1, 30))
+    (source.elements.component == GltfComponentType::F32).then_some(bits.clamp(1, 30))
 }

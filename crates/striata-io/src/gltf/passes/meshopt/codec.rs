@@ -6,12 +6,12 @@ use meshoptimizer_rs::codec::{
 };
 use serde_json::{Value, json};
 
-use super::order::{Order, workspace};
-use super::roles::{Role, Use};
+use super::order::{MeshoptOrder, workspace};
+use super::roles::{AccessorRole, AccessorUse};
 use crate::QuantizeOptions;
 use crate::gltf::accessor::accessor;
-use crate::gltf::component_type::ComponentType;
-use crate::gltf::document::Document;
+use crate::gltf::component_type::GltfComponentType;
+use crate::gltf::document::GltfDocument;
 use crate::gltf::passes::additions::{Additions, Shelf, ViewKind, describe, plain_view, remove};
 use crate::gltf::passes::elements::Elements;
 use crate::gltf::passes::parts::{GltfParts, array_length, entries_mut, push_entries};
@@ -23,9 +23,9 @@ const STRIPS: &str = "strips";
 
 /// Moves an accessor to a view of its kind, in its new order.
 pub(super) fn move_accessor(
-    document: &Document<'_>,
-    (index, role): (u64, &Role),
-    order: &Order,
+    document: &GltfDocument<'_>,
+    (index, role): (u64, &AccessorRole),
+    order: &MeshoptOrder,
     root: &mut Value,
     additions: &mut Additions,
 ) {
@@ -37,22 +37,22 @@ pub(super) fn move_accessor(
         return;
     }
     let (kind, elements) = match role.usage {
-        Use::Vertices => {
+        AccessorUse::Vertices => {
             let elements = Elements::read(&source);
             let vertices = order.vertices(index).map(|vertices| elements.reordered(vertices));
             let elements = vertices.unwrap_or(elements);
             (ViewKind::of_vertices(&role.name, &elements), elements)
         }
-        Use::Triangles | Use::Strips => {
+        AccessorUse::Triangles | AccessorUse::Strips => {
             let integers = order.indices(index).map(<[u32]>::to_vec).or_else(|| source.integers());
             let Some(integers) = integers else { return };
             let is_small = integers.iter().all(|&vertex| vertex < 0xffff);
-            let component = if is_small { ComponentType::U16 } else { ComponentType::U32 };
-            let is_list = role.usage == Use::Triangles && integers.len().is_multiple_of(3);
+            let component = if is_small { GltfComponentType::U16 } else { GltfComponentType::U32 };
+            let is_list = role.usage == AccessorUse::Triangles && integers.len().is_multiple_of(3);
             let elements = Elements::integers(integers.into_iter().map(i64::from), 1, component);
             (ViewKind::of_indices(if is_list { TRIANGLES } else { STRIPS }, &elements), elements)
         }
-        Use::Other => {
+        AccessorUse::Other => {
             let elements = Elements::read(&source);
             if !elements.element_bytes().is_multiple_of(4) {
                 return;
@@ -188,7 +188,7 @@ fn quaternions(shelf: &Shelf, rotation_bits: Option<u32>) -> Option<Vec<u8>> {
 fn exponential(shelf: &Shelf) -> Option<Vec<u8>> {
     /// Exponents whose powers of two every decoder can represent.
     const EXPONENTS: std::ops::RangeInclusive<i32> = -100..=100;
-    if shelf.kind.component != ComponentType::F32.number() {
+    if shelf.kind.component != GltfComponentType::F32.number() {
         return None;
     }
     let numbers: Vec<f32> =

@@ -8,16 +8,16 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use meshoptimizer_rs::{Limits, Workspace, optimize_vertex_cache_strip};
 
-use super::roles::{Role, Use};
+use super::roles::{AccessorRole, AccessorUse};
 use crate::contacts::Sets;
 use crate::gltf::accessor::accessor;
-use crate::gltf::document::Document;
+use crate::gltf::document::GltfDocument;
 use crate::gltf::passes::extensions::are_free_of_order;
-use crate::gltf::passes::primitives::Primitive;
+use crate::gltf::passes::primitives::PassPrimitive;
 
 /// New order of everything that may be moved.
 #[derive(Debug, Default)]
-pub(super) struct Order {
+pub(super) struct MeshoptOrder {
     /// Number of the order of each accessor of vertices.
     number_of: BTreeMap<u64, usize>,
     /// Old vertices in their new order.
@@ -26,7 +26,7 @@ pub(super) struct Order {
     indices: BTreeMap<u64, Vec<u32>>,
 }
 
-impl Order {
+impl MeshoptOrder {
     /// Returns the old vertices in their new order; [`None`] if they keep it.
     pub(super) fn vertices(&self, accessor: u64) -> Option<&[u32]> {
         self.number_of.get(&accessor).and_then(|number| self.orders.get(number)).map(Vec::as_slice)
@@ -38,7 +38,7 @@ impl Order {
     }
 }
 
-pub(super) type Roles = BTreeMap<u64, Option<Role>>;
+pub(super) type Roles = BTreeMap<u64, Option<AccessorRole>>;
 
 /// Returns a workspace without limits; what is sorted and compressed is in memory already.
 pub(super) fn workspace() -> Workspace {
@@ -46,8 +46,12 @@ pub(super) fn workspace() -> Workspace {
 }
 
 /// Finds a better order of the triangles and vertices of all primitives.
-pub(super) fn order(document: &Document<'_>, primitives: &[Primitive], roles: &Roles) -> Order {
-    let accessors: BTreeSet<u64> = primitives.iter().flat_map(Primitive::vertex_accessors).collect();
+pub(super) fn order(
+    document: &GltfDocument<'_>,
+    primitives: &[PassPrimitive],
+    roles: &Roles,
+) -> MeshoptOrder {
+    let accessors: BTreeSet<u64> = primitives.iter().flat_map(PassPrimitive::vertex_accessors).collect();
     let accessors: Vec<u64> = accessors.into_iter().collect();
     let place = |accessor: u64| accessors.binary_search(&accessor).unwrap_or_default();
     let mut sets = Sets::new(accessors.len());
@@ -65,7 +69,7 @@ pub(super) fn order(document: &Document<'_>, primitives: &[Primitive], roles: &R
         .collect();
     let counts = vertex_counts(document, &number_of, roles);
     let (indices, fixed) = sorted_triangles(document, (primitives, &groups), &counts, roles);
-    let mut order = Order { number_of, orders: BTreeMap::new(), indices };
+    let mut order = MeshoptOrder { number_of, orders: BTreeMap::new(), indices };
     order.sort_vertices(primitives, &groups, &counts, &fixed);
     order
 }
@@ -76,7 +80,7 @@ fn is_free(roles: &Roles, accessor: u64) -> bool {
 
 /// Returns the vertex count of each group whose vertices may be moved.
 fn vertex_counts(
-    document: &Document<'_>,
+    document: &GltfDocument<'_>,
     number_of: &BTreeMap<u64, usize>,
     roles: &Roles,
 ) -> BTreeMap<usize, usize> {
@@ -91,8 +95,8 @@ fn vertex_counts(
 
 /// Returns index lists, with sorted triangles where possible, and the groups whose vertices must stay.
 fn sorted_triangles(
-    document: &Document<'_>,
-    (primitives, groups): (&[Primitive], &[Option<usize>]),
+    document: &GltfDocument<'_>,
+    (primitives, groups): (&[PassPrimitive], &[Option<usize>]),
     counts: &BTreeMap<usize, usize>,
     roles: &Roles,
 ) -> (BTreeMap<u64, Vec<u32>>, BTreeSet<usize>) {
@@ -114,7 +118,8 @@ fn sorted_triangles(
         let list = accessor(document, indices, &document.root).ok().and_then(|source| source.integers());
         match (list, count) {
             (Some(list), Some(&count)) if list.iter().all(|&v| (v as usize) < count) => {
-                let is_triangles = roles[&indices].as_ref().is_some_and(|role| role.usage == Use::Triangles);
+                let is_triangles =
+                    roles[&indices].as_ref().is_some_and(|role| role.usage == AccessorUse::Triangles);
                 let list = if is_triangles { sorted(list, count) } else { list };
                 lists.insert(indices, list);
             }
@@ -128,11 +133,11 @@ fn sorted(list: Vec<u32>, vertex_count: usize) -> Vec<u32> {
     optimize_vertex_cache_strip(&list, vertex_count, &mut workspace()).unwrap_or(list)
 }
 
-impl Order {
+impl MeshoptOrder {
     /// Numbers vertices by first use; unused ones come last.
     fn sort_vertices(
         &mut self,
-        primitives: &[Primitive],
+        primitives: &[PassPrimitive],
         groups: &[Option<usize>],
         counts: &BTreeMap<usize, usize>,
         fixed: &BTreeSet<usize>,

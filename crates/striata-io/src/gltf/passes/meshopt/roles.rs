@@ -6,12 +6,12 @@ use serde_json::Value;
 
 use crate::gltf::extensions::are_all_known;
 use crate::gltf::passes::parts::{entries, index, index_at};
-use crate::gltf::passes::primitives::{Primitive, TRIANGLES};
+use crate::gltf::passes::primitives::{PassPrimitive, TRIANGLES};
 use crate::gltf::references::{Referent, for_each};
 
 /// Use of an accessor.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Use {
+pub(super) enum AccessorUse {
     /// Attribute or morph target of vertices.
     Vertices,
     /// Indices of single triangles.
@@ -24,8 +24,8 @@ pub(super) enum Use {
 
 /// Role of an accessor that can be compressed.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Role {
-    pub usage: Use,
+pub(super) struct AccessorRole {
+    pub usage: AccessorUse,
     /// Name of the use, such as `NORMAL` or `time`; accessors in the same view have the same name.
     pub name: String,
     /// Whether only triangles use it, so that its order is free.
@@ -33,26 +33,26 @@ pub(super) struct Role {
 }
 
 /// Returns the roles of accessors; [`None`] for those that must stay as they are.
-pub(super) fn roles(root: &Value, primitives: &[Primitive]) -> BTreeMap<u64, Option<Role>> {
+pub(super) fn roles(root: &Value, primitives: &[PassPrimitive]) -> BTreeMap<u64, Option<AccessorRole>> {
     let mut collector = Collector::default();
     for primitive in primitives {
         collector.primitive(primitive);
     }
     for skin in entries(root, "skins") {
-        collector.add(skin.get("inverseBindMatrices"), Use::Other, "matrices");
+        collector.add(skin.get("inverseBindMatrices"), AccessorUse::Other, "matrices");
     }
     for animation in entries(root, "animations") {
         let paths = animated_paths(animation);
         for (number, sampler) in entries(animation, "samplers").iter().enumerate() {
-            collector.add(sampler.get("input"), Use::Other, "time");
+            collector.add(sampler.get("input"), AccessorUse::Other, "time");
             let name = format!("animated {}", paths.get(&number).unwrap_or(&""));
-            collector.add(sampler.get("output"), Use::Other, &name);
+            collector.add(sampler.get("output"), AccessorUse::Other, &name);
         }
     }
     for node in entries(root, "nodes") {
         let attributes = node.pointer("/extensions/EXT_mesh_gpu_instancing/attributes");
         for value in attributes.and_then(Value::as_object).into_iter().flat_map(|map| map.values()) {
-            collector.add(Some(value), Use::Other, "instances");
+            collector.add(Some(value), AccessorUse::Other, "instances");
         }
     }
     collector.checked(root)
@@ -72,12 +72,12 @@ fn animated_paths(animation: &Value) -> BTreeMap<usize, &str> {
 /// Roles found so far, and the number of uses that they explain.
 #[derive(Default)]
 struct Collector {
-    roles: BTreeMap<u64, Option<Role>>,
+    roles: BTreeMap<u64, Option<AccessorRole>>,
     counts: BTreeMap<u64, usize>,
 }
 
 impl Collector {
-    fn primitive(&mut self, primitive: &Primitive) {
+    fn primitive(&mut self, primitive: &PassPrimitive) {
         let is_packed = primitive.extensions.iter().any(|name| name == "KHR_draco_mesh_compression");
         let is_free = primitive.has_triangles() && !is_packed;
         let targets = primitive.targets.iter().flatten();
@@ -85,21 +85,22 @@ impl Collector {
         let attributes = primitive.attributes.iter().map(|(name, accessor)| (name.clone(), accessor));
         for (name, &accessor) in attributes.chain(targets) {
             let name = name.trim_end_matches(|c: char| c.is_ascii_digit()).to_owned();
-            self.put(accessor, Role { usage: Use::Vertices, name, is_free });
+            self.put(accessor, AccessorRole { usage: AccessorUse::Vertices, name, is_free });
         }
         if let Some(indices) = primitive.indices {
-            let usage = if primitive.mode == TRIANGLES { Use::Triangles } else { Use::Strips };
-            self.put(indices, Role { usage, name: "indices".to_owned(), is_free });
+            let usage =
+                if primitive.mode == TRIANGLES { AccessorUse::Triangles } else { AccessorUse::Strips };
+            self.put(indices, AccessorRole { usage, name: "indices".to_owned(), is_free });
         }
     }
 
-    fn add(&mut self, reference: Option<&Value>, usage: Use, name: &str) {
+    fn add(&mut self, reference: Option<&Value>, usage: AccessorUse, name: &str) {
         if let Some(accessor) = reference.and_then(index) {
-            self.put(accessor, Role { usage, name: name.to_owned(), is_free: true });
+            self.put(accessor, AccessorRole { usage, name: name.to_owned(), is_free: true });
         }
     }
 
-    fn put(&mut self, accessor: u64, role: Role) {
+    fn put(&mut self, accessor: u64, role: AccessorRole) {
         *self.counts.entry(accessor).or_default() += 1;
         match self.roles.get_mut(&accessor) {
             None => {
@@ -110,7 +111,7 @@ impl Collector {
     }
 
     /// Leaves out accessors with other uses, or without any by triangles.
-    fn checked(mut self, root: &Value) -> BTreeMap<u64, Option<Role>> {
+    fn checked(mut self, root: &Value) -> BTreeMap<u64, Option<AccessorRole>> {
         let mut copy = root.clone();
         let mut counts: BTreeMap<u64, usize> = BTreeMap::new();
         for_each(&mut copy, |referent, value| {
@@ -130,7 +131,7 @@ impl Collector {
     }
 }
 
-impl Role {
+impl AccessorRole {
     /// Returns the role of an accessor with two uses; [`None`] if they are too different.
     fn joined(self, other: Self) -> Option<Self> {
         let is_same = self.usage == other.usage;

@@ -11,8 +11,8 @@ use serde_json::{Value, json};
 use super::{DocumentChanges, Texcoords, convert};
 use crate::QuantizeOptions;
 use crate::gltf::accessor::accessor;
-use crate::gltf::component_type::ComponentType;
-use crate::gltf::document::Document;
+use crate::gltf::component_type::GltfComponentType;
+use crate::gltf::document::GltfDocument;
 use crate::gltf::passes::additions::ViewKind;
 use crate::gltf::passes::elements::Elements;
 use crate::gltf::passes::parts::{entries, index, index_at};
@@ -36,7 +36,7 @@ enum ChannelRule {
 
 /// Rounds the keyframes of all animations.
 pub(super) fn quantize(
-    document: &Document<'_>,
+    document: &GltfDocument<'_>,
     (options, texcoords): (&QuantizeOptions, Texcoords),
     changes: &mut DocumentChanges<'_>,
 ) {
@@ -44,7 +44,7 @@ pub(super) fn quantize(
     for (number, rule) in rules(document) {
         let Some(rule) = rule.filter(|rule| is_packed || *rule == ChannelRule::Rotation) else { continue };
         let Ok(source) = accessor(document, number, &document.root) else { continue };
-        if source.component != ComponentType::F32 || source.count == 0 {
+        if source.component != GltfComponentType::F32 || source.count == 0 {
             continue;
         }
         let numbers = source.floats();
@@ -76,7 +76,7 @@ pub(super) fn quantize(
 }
 
 /// Finds the accessors that only keyframes use.
-fn rules(document: &Document<'_>) -> Rules {
+fn rules(document: &GltfDocument<'_>) -> Rules {
     let mut rules = Rules::new();
     let mut add = |number: Option<u64>, rule: Option<ChannelRule>| {
         if let Some(number) = number {

@@ -4,17 +4,17 @@ use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
 
-use super::grid::{Grid, Grids};
+use super::grid::{Grids, MeshGrid};
 use super::{DocumentChanges, Texcoords, convert};
 use crate::QuantizeOptions;
 use crate::gltf::accessor::{Accessor, accessor};
-use crate::gltf::component_type::ComponentType;
-use crate::gltf::document::Document;
+use crate::gltf::component_type::GltfComponentType;
+use crate::gltf::document::GltfDocument;
 use crate::gltf::passes::additions::ViewKind;
 use crate::gltf::passes::elements::Elements;
 use crate::gltf::passes::extensions::are_free_of_values;
 use crate::gltf::passes::parts::entries_mut;
-use crate::gltf::passes::primitives::Primitive;
+use crate::gltf::passes::primitives::PassPrimitive;
 
 /// How numbers are converted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -40,7 +40,7 @@ enum AttributePart<'a> {
 
 /// Converts and replaces accessors.
 struct AttributeQuantizer<'a, 'c, 'r> {
-    document: &'a Document<'a>,
+    document: &'a GltfDocument<'a>,
     grids: &'a Grids,
     options: (&'a QuantizeOptions, Texcoords),
     changes: &'c mut DocumentChanges<'r>,
@@ -51,7 +51,7 @@ struct AttributeQuantizer<'a, 'c, 'r> {
 
 /// Quantizes everything that belongs to the primitives.
 pub(super) fn quantize(
-    (document, primitives): (&Document<'_>, &[Primitive]),
+    (document, primitives): (&GltfDocument<'_>, &[PassPrimitive]),
     grids: &Grids,
     options: (&QuantizeOptions, Texcoords),
     changes: &mut DocumentChanges<'_>,
@@ -64,7 +64,7 @@ pub(super) fn quantize(
 }
 
 impl AttributeQuantizer<'_, '_, '_> {
-    fn quantize(&mut self, primitive: &Primitive) {
+    fn quantize(&mut self, primitive: &PassPrimitive) {
         let grid = self.grids.number(primitive.mesh);
         let is_free = primitive.has_triangles() && are_free_of_values(&primitive.extensions);
         for (name, accessor) in &primitive.attributes {
@@ -96,7 +96,13 @@ impl AttributeQuantizer<'_, '_, '_> {
         }
     }
 
-    fn replace(&mut self, primitive: &Primitive, part: AttributePart<'_>, index: u64, rule: ConversionRule) {
+    fn replace(
+        &mut self,
+        primitive: &PassPrimitive,
+        part: AttributePart<'_>,
+        index: u64,
+        rule: ConversionRule,
+    ) {
         // Displacements may have the same name as attributes, but are no unit vectors.
         let role = match part {
             AttributePart::Attribute(name) => name.to_owned(),
@@ -134,7 +140,7 @@ impl AttributeQuantizer<'_, '_, '_> {
             elements.declare_bounds(&mut accessor);
         }
         let is_core = matches!(rule, ConversionRule::Color | ConversionRule::Joints | ConversionRule::Index);
-        self.changes.needs_extension |= !is_core && elements.component != ComponentType::F32;
+        self.changes.needs_extension |= !is_core && elements.component != GltfComponentType::F32;
         let additions = &mut self.changes.additions;
         if rule == ConversionRule::Index {
             return Some(additions.push(ViewKind::of_indices(role, &elements), &elements, accessor));
@@ -153,7 +159,7 @@ impl AttributeQuantizer<'_, '_, '_> {
         Some(additions.push(ViewKind::of_vertices(role, &elements), &elements, accessor))
     }
 
-    fn replace_weights(&mut self, primitive: &Primitive) {
+    fn replace_weights(&mut self, primitive: &PassPrimitive) {
         let names: Vec<String> = (0..)
             .map(|set| format!("WEIGHTS_{set}"))
             .take_while(|name| primitive.attribute(name).is_some())
@@ -179,7 +185,8 @@ impl AttributeQuantizer<'_, '_, '_> {
         let mut numbers = Vec::new();
         for &set in sets {
             let source = accessor(self.document, set, &self.document.root).ok()?;
-            if source.component != ComponentType::F32 || source.component_count != 4 || source.count == 0 {
+            if source.component != GltfComponentType::F32 || source.component_count != 4 || source.count == 0
+            {
                 return None;
             }
             numbers.push(source.floats());
@@ -212,9 +219,9 @@ fn convert_by(
     grids: &Grids,
     (options, texcoords): (&QuantizeOptions, Texcoords),
 ) -> Option<Elements> {
-    let is_float = source.component == ComponentType::F32;
+    let is_float = source.component == GltfComponentType::F32;
     let (width, floats) = (source.component_count, || source.floats());
-    let grid = |number: usize| -> Option<Grid> { *grids.grids.get(number)? };
+    let grid = |number: usize| -> Option<MeshGrid> { *grids.grids.get(number)? };
     match rule {
         ConversionRule::Position(number) => {
             (is_float && width == 3).then_some(())?;
@@ -232,23 +239,23 @@ fn convert_by(
             convert::texture_coordinates(&floats(), options.texcoord_bits, texcoords)
         }
         ConversionRule::Color => {
-            let is_larger = is_float || source.component == ComponentType::U16 && options.color_bits <= 8;
+            let is_larger = is_float || source.component == GltfComponentType::U16 && options.color_bits <= 8;
             (is_larger && matches!(width, 3 | 4)).then_some(())?;
             convert::fractions(&floats(), width, options.color_bits)
         }
         ConversionRule::Joints => {
-            (source.component == ComponentType::U16 && width == 4).then_some(())?;
-            small_integers(source, 0xff, ComponentType::U8)
+            (source.component == GltfComponentType::U16 && width == 4).then_some(())?;
+            small_integers(source, 0xff, GltfComponentType::U8)
         }
         // The largest 16-bit value is left for primitive restart.
         ConversionRule::Index => {
-            (source.component == ComponentType::U32 && width == 1).then_some(())?;
-            small_integers(source, 0xfffe, ComponentType::U16)
+            (source.component == GltfComponentType::U32 && width == 1).then_some(())?;
+            small_integers(source, 0xfffe, GltfComponentType::U16)
         }
     }
 }
 
-fn small_integers(source: &Accessor<'_>, most: u32, component: ComponentType) -> Option<Elements> {
+fn small_integers(source: &Accessor<'_>, most: u32, component: GltfComponentType) -> Option<Elements> {
     let integers = source.integers()?;
     let fit = integers.iter().all(|&x| x <= most);
     fit.then(|| Elements::integers(integers.into_iter().map(i64::from), source.component_count, component))
@@ -263,7 +270,7 @@ fn sparse_parts(elements: &Elements) -> Option<(Elements, Elements)> {
     if places.is_empty() {
         places.push(0);
     }
-    let component = if elements.count <= 0xffff { ComponentType::U16 } else { ComponentType::U32 };
+    let component = if elements.count <= 0xffff { GltfComponentType::U16 } else { GltfComponentType::U32 };
     if places.len() * (size + component.bytes()) >= elements.count * elements.stride() {
         return None;
     }
@@ -272,7 +279,11 @@ fn sparse_parts(elements: &Elements) -> Option<(Elements, Elements)> {
 }
 
 /// Returns the reference to an accessor in the document.
-fn slot<'r>(root: &'r mut Value, primitive: &Primitive, part: AttributePart<'_>) -> Option<&'r mut Value> {
+fn slot<'r>(
+    root: &'r mut Value,
+    primitive: &PassPrimitive,
+    part: AttributePart<'_>,
+) -> Option<&'r mut Value> {
     let primitive = root.pointer_mut(&primitive.path())?;
     match part {
         AttributePart::Attribute(name) => primitive.get_mut("attributes")?.get_mut(name),

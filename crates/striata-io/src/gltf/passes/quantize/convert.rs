@@ -1,30 +1,30 @@
 //! Conversion of floats to small integers.
 
 use super::Texcoords;
-use super::grid::Grid;
-use crate::gltf::component_type::ComponentType;
+use super::grid::MeshGrid;
+use crate::gltf::component_type::GltfComponentType;
 use crate::gltf::passes::elements::Elements;
 
 /// Rounds positions to a grid.
-pub(super) fn positions(numbers: &[f32], grid: &Grid) -> Elements {
+pub(super) fn positions(numbers: &[f32], grid: &MeshGrid) -> Elements {
     let [last, step] = [f64::from(grid.last), f64::from(grid.step)];
     let rounded = |(i, &x): (usize, &f32)| {
         let origin = grid.origin[i % 3];
         ((f64::from(x) - origin) / step).round().clamp(0.0, last) as i64
     };
-    let component = if grid.last <= 0xff { ComponentType::U8 } else { ComponentType::U16 };
+    let component = if grid.last <= 0xff { GltfComponentType::U8 } else { GltfComponentType::U16 };
     Elements::integers(numbers.iter().enumerate().map(rounded), 3, component)
 }
 
 /// Expresses displacements of positions in grid steps: as integers, or as floats if they are too long.
-pub(super) fn displacements(numbers: &[f32], grid: &Grid) -> Option<Elements> {
+pub(super) fn displacements(numbers: &[f32], grid: &MeshGrid) -> Option<Elements> {
     let steps = || numbers.iter().map(|&x| f64::from(x) / f64::from(grid.step));
     if numbers.iter().any(|x| !x.is_finite()) {
         return None;
     }
     let most = steps().fold(0.0, |most: f64, x| most.max(x.abs()));
     Some(if most < 32767.5 {
-        let component = if most < 127.5 { ComponentType::I8 } else { ComponentType::I16 };
+        let component = if most < 127.5 { GltfComponentType::I8 } else { GltfComponentType::I16 };
         Elements::integers(steps().map(|x| x.round() as i64), 3, component)
     } else {
         let floats: Vec<f32> = steps().map(|x| x as f32).collect();
@@ -43,7 +43,7 @@ pub(super) fn signed_fractions(numbers: &[f32], width: usize, bits: u32) -> Opti
     }
     let bits = bits.clamp(2, 16);
     let (component, most) =
-        if bits <= 8 { (ComponentType::I8, 127.0) } else { (ComponentType::I16, 32767.0) };
+        if bits <= 8 { (GltfComponentType::I8, 127.0) } else { (GltfComponentType::I16, 32767.0) };
     let last = f64::from((1u32 << (bits - 1)) - 1);
     let fraction = |&x: &f32| {
         let level = (f64::from(x).clamp(-1.0, 1.0) * last).round();
@@ -59,7 +59,7 @@ pub(super) fn fractions(numbers: &[f32], width: usize, bits: u32) -> Option<Elem
     }
     let bits = bits.clamp(1, 16);
     let (component, most) =
-        if bits <= 8 { (ComponentType::U8, 255.0) } else { (ComponentType::U16, 65535.0) };
+        if bits <= 8 { (GltfComponentType::U8, 255.0) } else { (GltfComponentType::U16, 65535.0) };
     let last = f64::from((1u32 << bits) - 1);
     let fraction = |&x: &f32| ((f64::from(x) * last).round() * most / last).round() as i64;
     Some(Elements::integers(numbers.iter().map(fraction), width, component).into_normalized())
@@ -73,7 +73,7 @@ pub(super) fn texture_coordinates(numbers: &[f32], bits: u32, texcoords: Texcoor
         let last = f64::from((1u32 << bits) - 1);
         let fraction = |&x: &f32| ((f64::from(x) * last).round() * 65535.0 / last).round() as i64;
         let integers = numbers.iter().map(fraction);
-        return Some(Elements::integers(integers, 2, ComponentType::U16).into_normalized());
+        return Some(Elements::integers(integers, 2, GltfComponentType::U16).into_normalized());
     }
     if numbers.iter().any(|x| !x.is_finite()) {
         return None;
@@ -98,7 +98,7 @@ pub(super) fn weights(sets: &[Vec<f32>]) -> Option<Vec<Elements>> {
             set.extend_from_slice(four);
         }
     }
-    let elements = |set: Vec<i64>| Elements::integers(set, 4, ComponentType::U8).into_normalized();
+    let elements = |set: Vec<i64>| Elements::integers(set, 4, GltfComponentType::U8).into_normalized();
     Some(bytes.into_iter().map(elements).collect())
 }
 

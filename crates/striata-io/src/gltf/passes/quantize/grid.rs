@@ -1,12 +1,12 @@
 //! Grids of positions.
 
 use crate::gltf::accessor::accessor;
-use crate::gltf::component_type::ComponentType;
-use crate::gltf::document::Document;
+use crate::gltf::component_type::GltfComponentType;
+use crate::gltf::document::GltfDocument;
 
 /// Grid that positions are rounded to.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Grid {
+pub(super) struct MeshGrid {
     /// Position of the grid point with the coordinates 0.
     pub origin: [f64; 3],
     /// Side of a cell in mesh units.
@@ -21,7 +21,7 @@ pub(super) struct Grid {
 #[derive(Debug)]
 pub(in crate::gltf::passes) struct Grids {
     /// Grids; [`None`] if the meshes that would share it cannot be quantized.
-    pub(super) grids: Vec<Option<Grid>>,
+    pub(super) grids: Vec<Option<MeshGrid>>,
     /// Number of the grid of each mesh.
     pub(super) of_mesh: Vec<usize>,
 }
@@ -74,7 +74,7 @@ impl Box3 {
     }
 
     /// Returns the grid that covers the box; [`None`] if it is empty or its size exceeds all numbers.
-    pub(super) fn grid(&self, bits: u32) -> Option<Grid> {
+    pub(super) fn grid(&self, bits: u32) -> Option<MeshGrid> {
         let last = (1u32 << bits.clamp(1, 16)) - 1;
         let side = self.side();
         if !self.min[0].is_finite() || !side.is_finite() {
@@ -83,7 +83,7 @@ impl Box3 {
         let step = (side / f64::from(last)) as f32;
         let step = if step >= f32::MIN_POSITIVE { step } else { 1.0 };
         // Steps so small that they vanish next to the coordinates, or too large, make no grid.
-        (step.is_finite() && side <= f64::from(step) * f64::from(last) * 1.001).then_some(Grid {
+        (step.is_finite() && side <= f64::from(step) * f64::from(last) * 1.001).then_some(MeshGrid {
             origin: self.min.map(f64::from),
             step,
             last,
@@ -93,9 +93,10 @@ impl Box3 {
 }
 
 /// Returns positions; [`None`] if they are not finite floats.
-pub(super) fn positions_of(document: &Document<'_>, index: u64) -> Option<Vec<f32>> {
+pub(super) fn positions_of(document: &GltfDocument<'_>, index: u64) -> Option<Vec<f32>> {
     let positions = accessor(document, index, &document.root).ok()?;
-    if positions.component != ComponentType::F32 || positions.component_count != 3 || positions.count == 0 {
+    if positions.component != GltfComponentType::F32 || positions.component_count != 3 || positions.count == 0
+    {
         return None;
     }
     let numbers = positions.floats();
@@ -103,7 +104,7 @@ pub(super) fn positions_of(document: &Document<'_>, index: u64) -> Option<Vec<f3
 }
 
 /// Returns the bounding box of positions; [`None`] if they are not finite floats.
-pub(super) fn bounding_box(document: &Document<'_>, index: u64) -> Option<Box3> {
+pub(super) fn bounding_box(document: &GltfDocument<'_>, index: u64) -> Option<Box3> {
     let numbers = positions_of(document, index)?;
     let points = numbers.as_chunks::<3>().0.iter();
     Some(points.fold(Box3::EMPTY, |bounds, &point| bounds.joined(Box3 { min: point, max: point })))

@@ -13,10 +13,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use glam::{DQuat, DVec3};
 use serde_json::{Value, json};
 
-use super::grid::{Grid, Grids};
+use super::grid::{Grids, MeshGrid};
 use super::{DocumentChanges, skins, transforms};
 use crate::gltf::accessor::accessor;
-use crate::gltf::document::Document;
+use crate::gltf::document::GltfDocument;
 use crate::gltf::extensions::are_all_known;
 use crate::gltf::passes::additions::ViewKind;
 use crate::gltf::passes::elements::Elements;
@@ -33,14 +33,14 @@ enum Conversion {
 }
 
 /// Node that shows a quantized mesh.
-pub(super) struct Placement {
+pub(super) struct ShownNode {
     node: usize,
     grid: usize,
     conversion: Conversion,
 }
 
 /// Finds out how each node converts positions; drops the grids of meshes that cannot be shown.
-pub(super) fn placements(document: &Document<'_>, grids: &mut Grids) -> Vec<Placement> {
+pub(super) fn placements(document: &GltfDocument<'_>, grids: &mut Grids) -> Vec<ShownNode> {
     let root = document.root.value;
     let mut placements = Vec::new();
     let mut are_shown = vec![false; grids.of_mesh.len()];
@@ -50,7 +50,7 @@ pub(super) fn placements(document: &Document<'_>, grids: &mut Grids) -> Vec<Plac
         let number = grids.of_mesh[mesh];
         let Some(grid) = grids.grids[number] else { continue };
         match conversion(document, value, &grid) {
-            Some(conversion) => placements.push(Placement { node, grid: number, conversion }),
+            Some(conversion) => placements.push(ShownNode { node, grid: number, conversion }),
             None => grids.drop_grid(number),
         }
     }
@@ -62,7 +62,7 @@ pub(super) fn placements(document: &Document<'_>, grids: &mut Grids) -> Vec<Plac
     placements
 }
 
-fn conversion(document: &Document<'_>, node: &Value, grid: &Grid) -> Option<Conversion> {
+fn conversion(document: &GltfDocument<'_>, node: &Value, grid: &MeshGrid) -> Option<Conversion> {
     let instances = node.pointer("/extensions/EXT_mesh_gpu_instancing");
     match (node.get("skin"), instances) {
         (None, None) => Some(Conversion::Node),
@@ -77,7 +77,7 @@ fn conversion(document: &Document<'_>, node: &Value, grid: &Grid) -> Option<Conv
 }
 
 /// Returns the translations and scales of instances, with the conversion applied first.
-fn instances_in(document: &Document<'_>, node: &Value, grid: &Grid) -> Option<[Elements; 2]> {
+fn instances_in(document: &GltfDocument<'_>, node: &Value, grid: &MeshGrid) -> Option<[Elements; 2]> {
     let attributes = node.pointer(INSTANCING)?;
     let read = |name: &str, width: usize| -> Option<Option<Vec<f32>>> {
         let Some(value) = attributes.get(name) else { return Some(None) };
@@ -116,18 +116,18 @@ fn instances_in(document: &Document<'_>, node: &Value, grid: &Grid) -> Option<[E
 
 /// Changes the nodes, skins and instances of quantized meshes.
 pub(super) fn apply(
-    document: &Document<'_>,
+    document: &GltfDocument<'_>,
     grids: &Grids,
-    placements: Vec<Placement>,
+    placements: Vec<ShownNode>,
     changes: &mut DocumentChanges<'_>,
 ) {
     let busy = busy_nodes(document.root.value);
     let mut uses = Vec::new();
     let mut heirs = BTreeMap::new();
-    for Placement { node, grid: number, conversion } in placements {
+    for ShownNode { node, grid: number, conversion } in placements {
         let Some(grid) = grids.grids[number] else { continue };
         match conversion {
-            Conversion::Skin(skin) => uses.push(skins::Use { node, skin, grid: number }),
+            Conversion::Skin(skin) => uses.push(skins::SkinUse { node, skin, grid: number }),
             Conversion::Instances(translations, scales) => set_instances(changes, node, translations, scales),
             Conversion::Node => {
                 let next = array_length(changes.root, "nodes");
@@ -146,7 +146,7 @@ pub(super) fn apply(
 }
 
 /// Moves the mesh of a node to a new child, and returns that.
-fn child_of(node: &mut Value, child: usize, grid: &Grid) -> Value {
+fn child_of(node: &mut Value, child: usize, grid: &MeshGrid) -> Value {
     let mut value = json!({});
     for key in ["mesh", "weights"] {
         if let Some(member) = node.as_object_mut().and_then(|node| node.remove(key)) {

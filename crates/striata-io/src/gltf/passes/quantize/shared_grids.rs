@@ -8,13 +8,13 @@ use std::collections::BTreeMap;
 
 use glam::DVec3;
 
-use super::grid::{Box3, Grid, Grids, bounding_box, positions_of};
+use super::grid::{Box3, Grids, MeshGrid, bounding_box, positions_of};
 use crate::contacts::{Contacts, Sets, Spot};
-use crate::gltf::document::Document;
+use crate::gltf::document::GltfDocument;
 use crate::gltf::node_tree::placed_nodes;
 use crate::gltf::passes::extensions::are_free_of_values;
 use crate::gltf::passes::parts::index_at;
-use crate::gltf::passes::primitives::Primitive;
+use crate::gltf::passes::primitives::PassPrimitive;
 use crate::{GridScope, QuantizeOptions};
 
 /// Largest number of grid steps along a side.
@@ -33,8 +33,8 @@ struct Member {
 
 /// Finds meshes that share positions, and a grid for each set of them.
 pub(in crate::gltf::passes) fn grids(
-    document: &Document<'_>,
-    primitives: &[Primitive],
+    document: &GltfDocument<'_>,
+    primitives: &[PassPrimitive],
     are_read: &[bool],
     options: &QuantizeOptions,
 ) -> Grids {
@@ -62,7 +62,7 @@ pub(in crate::gltf::passes) fn grids(
             .and_then(|accessor| *known.entry(accessor).or_insert_with(|| bounding_box(document, accessor)));
         boxes[set] = boxes[set].zip(of_primitive).map(|(a, b)| a.joined(b));
     }
-    let mut grids: Vec<Option<Grid>> =
+    let mut grids: Vec<Option<MeshGrid>> =
         boxes.iter().map(|bounds| bounds.as_ref()?.grid(options.position_bits)).collect();
     MeshSets { document, primitives, of_mesh: &of_mesh }.share(&mut grids, &boxes, options.grid);
     Grids { grids, of_mesh }
@@ -70,8 +70,8 @@ pub(in crate::gltf::passes) fn grids(
 
 /// Meshes in sets that share positions.
 struct MeshSets<'a> {
-    document: &'a Document<'a>,
-    primitives: &'a [Primitive],
+    document: &'a GltfDocument<'a>,
+    primitives: &'a [PassPrimitive],
     /// The set of each mesh.
     of_mesh: &'a [usize],
 }
@@ -79,7 +79,7 @@ struct MeshSets<'a> {
 impl MeshSets<'_> {
     /// Replaces the grids of sets of meshes that touch, or of all that can share one, given the grid and the box of
     /// each set.
-    fn share(&self, grids: &mut [Option<Grid>], boxes: &[Option<Box3>], scope: GridScope) {
+    fn share(&self, grids: &mut [Option<MeshGrid>], boxes: &[Option<Box3>], scope: GridScope) {
         if scope == GridScope::Mesh {
             return;
         }
@@ -138,7 +138,7 @@ impl MeshSets<'_> {
 
 /// Returns grids with a common step: that of the finest member, unless another one is too large for it.
 /// Members that would become coarser keep their own grids.
-fn shared_grids(group: &[Member], scope: GridScope) -> Vec<(usize, Grid)> {
+fn shared_grids(group: &[Member], scope: GridScope) -> Vec<(usize, MeshGrid)> {
     let mut sides: Vec<&Member> = group.iter().collect();
     // A mesh much larger than its neighbors keeps its own, coarser grid.
     loop {
@@ -169,13 +169,18 @@ fn power_of_two(number: f64) -> f64 {
 }
 
 impl Member {
-    fn grid(&self, step: f64) -> Option<Grid> {
+    fn grid(&self, step: f64) -> Option<MeshGrid> {
         let [min, max] =
             [self.bounds.min, self.bounds.max].map(|corner| DVec3::from_array(corner.map(f64::from)));
         let first = ((min + self.offset) / step).floor();
         let last = (((max + self.offset) / step).ceil() - first).max_element();
         let (origin, step) = (first * step - self.offset, step as f32);
         let is_fit = last <= 65535.0 && origin.is_finite() && step >= f32::MIN_POSITIVE;
-        is_fit.then(|| Grid { origin: origin.to_array(), step, last: last.max(1.0) as u32, is_shared: true })
+        is_fit.then(|| MeshGrid {
+            origin: origin.to_array(),
+            step,
+            last: last.max(1.0) as u32,
+            is_shared: true,
+        })
     }
 }

@@ -6,17 +6,17 @@ use glam::DMat4;
 use serde_json::{Value, json};
 
 use super::DocumentChanges;
-use super::grid::{Grid, Grids};
+use super::grid::{Grids, MeshGrid};
 use crate::gltf::accessor::accessor;
-use crate::gltf::component_type::ComponentType;
-use crate::gltf::document::Document;
+use crate::gltf::component_type::GltfComponentType;
+use crate::gltf::document::GltfDocument;
 use crate::gltf::passes::additions::ViewKind;
 use crate::gltf::passes::elements::Elements;
 use crate::gltf::passes::parts::{array_length, entries, entries_mut, index, index_at, push_entries};
 
 /// Node that shows a quantized mesh with a skin.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Use {
+pub(super) struct SkinUse {
     pub node: usize,
     pub skin: usize,
     /// Number of the mesh's grid.
@@ -24,13 +24,13 @@ pub(super) struct Use {
 }
 
 /// Returns the inverse bind matrices of a skin, with the conversion applied first.
-pub(super) fn matrices(document: &Document<'_>, skin: usize, grid: &Grid) -> Option<Elements> {
+pub(super) fn matrices(document: &GltfDocument<'_>, skin: usize, grid: &MeshGrid) -> Option<Elements> {
     let skin = entries(document.root.value, "skins").get(skin)?;
     let joint_count = entries(skin, "joints").len();
     let numbers = match skin.get("inverseBindMatrices") {
         Some(value) => {
             let source = accessor(document, index(value)?, &document.root).ok()?;
-            let is_fit = source.component == ComponentType::F32
+            let is_fit = source.component == GltfComponentType::F32
                 && source.component_count == 16
                 && source.count >= joint_count;
             is_fit.then(|| source.floats())?
@@ -47,14 +47,19 @@ pub(super) fn matrices(document: &Document<'_>, skin: usize, grid: &Grid) -> Opt
 }
 
 /// Gives each combination of skin and grid its own matrices; skins that serve several are copied.
-pub(super) fn apply(document: &Document<'_>, grids: &Grids, uses: &[Use], changes: &mut DocumentChanges<'_>) {
+pub(super) fn apply(
+    document: &GltfDocument<'_>,
+    grids: &Grids,
+    uses: &[SkinUse],
+    changes: &mut DocumentChanges<'_>,
+) {
     let root = document.root.value;
     let mut use_counts: BTreeMap<usize, usize> = BTreeMap::new();
     for skin in entries(root, "nodes").iter().filter_map(|node| index_at(node, "skin")) {
         *use_counts.entry(skin).or_default() += 1;
     }
     let mut skins: BTreeMap<(usize, usize), usize> = BTreeMap::new();
-    for &Use { node, skin, grid } in uses {
+    for &SkinUse { node, skin, grid } in uses {
         let number = match skins.get(&(skin, grid)) {
             Some(&number) => number,
             None => {

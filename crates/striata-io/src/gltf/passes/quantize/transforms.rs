@@ -3,9 +3,9 @@
 use glam::{DMat4, DQuat, DVec3};
 use serde_json::{Value, json};
 
-use super::grid::Grid;
+use super::grid::MeshGrid;
 
-impl Grid {
+impl MeshGrid {
     fn origin(&self) -> DVec3 {
         DVec3::from_array(self.origin)
     }
@@ -42,13 +42,13 @@ fn short_list(vector: DVec3, tolerance: f64) -> Value {
 }
 
 /// Writes the conversion to a node without a transform.
-pub(super) fn set(node: &mut Value, grid: &Grid) {
+pub(super) fn set(node: &mut Value, grid: &MeshGrid) {
     let [translation, scale] = grid.folded(DVec3::ZERO, DQuat::IDENTITY, DVec3::ONE);
     set_parts(node, grid, translation, scale);
 }
 
 /// Translations of models far from the origin need more digits than a float has.
-fn set_parts(node: &mut Value, grid: &Grid, translation: DVec3, scale: DVec3) {
+fn set_parts(node: &mut Value, grid: &MeshGrid, translation: DVec3, scale: DVec3) {
     let [moves, scales] = grid.tolerances(scale);
     node["translation"] = short_list(translation, moves);
     node["scale"] = short_list(scale, scales);
@@ -56,7 +56,7 @@ fn set_parts(node: &mut Value, grid: &Grid, translation: DVec3, scale: DVec3) {
 
 /// Applies the conversion before the transform of a node; false if the node's transform is malformed or
 /// would overflow.
-pub(super) fn fold(node: &mut Value, grid: &Grid) -> bool {
+pub(super) fn fold(node: &mut Value, grid: &MeshGrid) -> bool {
     if node.get("matrix").is_some() {
         let Some(numbers) = numbers::<16>(node, "matrix", [0.0; 16]) else { return false };
         let matrix = (DMat4::from_cols_array(&numbers) * grid.matrix()).to_cols_array();

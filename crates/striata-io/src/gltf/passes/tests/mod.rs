@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use super::additions::{Additions, ViewKind, plain_view};
 use super::elements::Elements;
 use super::parts::{GltfParts, push_entries};
-use crate::gltf::component_type::ComponentType;
+use crate::gltf::component_type::GltfComponentType;
 
 /// Side of the sheet in squares.
 const SIDE: u32 = 8;
@@ -57,7 +57,7 @@ impl Sketch {
 
     fn indices(&mut self, indices: &[u32]) -> usize {
         let integers = indices.iter().map(|&v| i64::from(v));
-        let elements = Elements::integers(integers, 1, ComponentType::U32);
+        let elements = Elements::integers(integers, 1, GltfComponentType::U32);
         self.additions.push(ViewKind::of_indices("indices", &elements), &elements, elements.accessor())
     }
 
@@ -114,7 +114,7 @@ fn weights() -> (Elements, Elements) {
     };
     let weights: Vec<f32> = (0..VERTEX_COUNT).flat_map(weight).collect();
     let joints = (0..VERTEX_COUNT).flat_map(|i| [i % 2, 1, 0, 0].map(i64::from));
-    (Elements::floats(&weights, 4), Elements::integers(joints, 4, ComponentType::U16))
+    (Elements::floats(&weights, 4), Elements::integers(joints, 4, GltfComponentType::U16))
 }
 
 /// Adds a mesh with attributes of all kinds; `seed` makes it different from others.
@@ -185,7 +185,7 @@ fn everything() -> GltfParts {
     sketch.node(json!({ "mesh": skinned[1], "skin": skins[0], "translation": [9.0, 9.0, 9.0] }));
     sketch.node(json!({ "mesh": skinned[1], "skin": skins[1] }));
     let moves = sketch.others(&Elements::floats(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0], 3));
-    let turns = Elements::integers([0, 0, 0, 127, 90, 0, 0, 90], 4, ComponentType::I8).into_normalized();
+    let turns = Elements::integers([0, 0, 0, 127, 90, 0, 0, 90], 4, GltfComponentType::I8).into_normalized();
     let turns = sketch.others(&turns);
     let attributes = json!({ "TRANSLATION": moves, "ROTATION": turns });
     sketch.node(json!({
@@ -210,7 +210,7 @@ fn everything() -> GltfParts {
         }),
     );
     sketch.add("cameras", json!({ "type": "perspective", "perspective": { "yfov": 1.0, "znear": 0.1 } }));
-    let image = Elements::integers([137, 80, 78, 71, 13, 10, 26], 1, ComponentType::U8);
+    let image = Elements::integers([137, 80, 78, 71, 13, 10, 26], 1, GltfComponentType::U8);
     let mut place = json!({});
     sketch.additions.store(ViewKind::of_others("image", &image), &image, &mut place);
     sketch.add("images", json!({ "bufferView": place["bufferView"], "mimeType": "image/png" }));

@@ -6,7 +6,7 @@ use super::world::{assert_same, floats};
 use super::{Elements, Sketch, add_mesh, everything, sheet, sheet_triangles};
 use crate::QuantizeOptions;
 use crate::gltf::accessor::accessor;
-use crate::gltf::component_type::ComponentType;
+use crate::gltf::component_type::GltfComponentType;
 use crate::gltf::passes::parts::{GltfParts, array_length, entries, index, open};
 use crate::gltf::passes::{Texcoords, quantize};
 
@@ -73,18 +73,18 @@ fn attributes_get_small_types() {
         (accessor.component, accessor.normalized)
     };
     for (name, component, normalized) in [
-        ("POSITION", ComponentType::U16, false),
-        ("NORMAL", ComponentType::I8, true),
-        ("TANGENT", ComponentType::I8, true),
-        ("TEXCOORD_0", ComponentType::U16, true),
-        ("COLOR_0", ComponentType::U8, true),
+        ("POSITION", GltfComponentType::U16, false),
+        ("NORMAL", GltfComponentType::I8, true),
+        ("TANGENT", GltfComponentType::I8, true),
+        ("TEXCOORD_0", GltfComponentType::U16, true),
+        ("COLOR_0", GltfComponentType::U8, true),
     ] {
         assert_eq!(kind(&attributes[name]), (component, normalized), "{name}");
     }
     let attributes = &parts.root["meshes"][2]["primitives"][0]["attributes"];
-    assert_eq!(kind(&attributes["JOINTS_0"]), (ComponentType::U8, false));
-    assert_eq!(kind(&attributes["WEIGHTS_0"]), (ComponentType::U8, true));
-    assert_eq!(kind(&parts.root["meshes"][0]["primitives"][0]["indices"]), (ComponentType::U16, false));
+    assert_eq!(kind(&attributes["JOINTS_0"]), (GltfComponentType::U8, false));
+    assert_eq!(kind(&attributes["WEIGHTS_0"]), (GltfComponentType::U8, true));
+    assert_eq!(kind(&parts.root["meshes"][0]["primitives"][0]["indices"]), (GltfComponentType::U16, false));
     let position = &parts.root["accessors"][index(&attributes["POSITION"]).unwrap() as usize];
     let max: Vec<u64> = entries(position, "max").iter().map(|x| x.as_u64().unwrap()).collect();
     assert_eq!(max.iter().max(), Some(&16383));
@@ -209,7 +209,7 @@ fn sparse_targets_stay_sparse() {
     let mut sketch = Sketch::new();
     let mesh = add_mesh(&mut sketch, 0.0);
     let values = Elements::floats(&[0.5, 0.25, -0.125], 3);
-    let place = Elements::integers([17], 1, ComponentType::U16);
+    let place = Elements::integers([17], 1, GltfComponentType::U16);
     let [mut at, mut of] = [json!({}), json!({})];
     sketch.additions.store(super::ViewKind::of_others("a", &place), &place, &mut at);
     sketch.additions.store(super::ViewKind::of_others("b", &values), &values, &mut of);

@@ -6,11 +6,11 @@ use glam::{DMat4, DQuat, DVec3};
 use serde_json::Value;
 
 use crate::gltf::accessor::accessor;
-use crate::gltf::document::Document;
+use crate::gltf::document::GltfDocument;
 use crate::gltf::passes::parts::{GltfParts, entries, index, index_at, open};
 
 /// Reads an accessor as floats.
-pub(super) fn floats(document: &Document<'_>, index: u64) -> Vec<f32> {
+pub(super) fn floats(document: &GltfDocument<'_>, index: u64) -> Vec<f32> {
     accessor(document, index, &document.root).unwrap_or_else(|_| panic!("accessor {index}")).floats()
 }
 
@@ -31,7 +31,7 @@ fn local(node: &Value) -> DMat4 {
 }
 
 /// Transforms that a node applies to its mesh: one, or one for each instance; skins use their first joint.
-fn transforms(document: &Document<'_>, node: &Value, world: DMat4) -> Vec<DMat4> {
+fn transforms(document: &GltfDocument<'_>, node: &Value, world: DMat4) -> Vec<DMat4> {
     if let Some(skin) = index_at(node, "skin") {
         let skin = &entries(document.root.value, "skins")[skin];
         let matrices = skin.get("inverseBindMatrices").map(|value| floats(document, index(value).unwrap()));

@@ -1,7 +1,7 @@
 //! The history of collapses, found by removing one position per step from the full mesh to the base.
 
 use super::STEPS_PER_REPORT;
-use super::history::{History, HistoryTriangle, PERMANENT, StepLinks};
+use super::history::{FanHistory, HistoryTriangle, PERMANENT, StepLinks};
 use crate::mesh::{CollapseSequence, RefinableMesh, is_proper};
 use crate::{Cancelled, Progress, ProgressFn};
 
@@ -15,7 +15,7 @@ const END: u32 = u32::MAX;
 pub(super) fn history(
     refinable: &RefinableMesh,
     progress: &mut ProgressFn<'_>,
-) -> Result<History, Cancelled> {
+) -> Result<FanHistory, Cancelled> {
     let mut replay = CollapseReplay::new(refinable);
     let step_count = refinable.sequence.step_count();
     for step in (0..step_count).rev() {
@@ -26,7 +26,7 @@ pub(super) fn history(
         }
         replay.remove(step);
     }
-    Ok(History::new(replay.triangles, replay.links, refinable.sequence.levels()))
+    Ok(FanHistory::new(replay.triangles, replay.links, refinable.sequence.levels()))
 }
 
 /// The current triangles, with a linked list for each vertex.

@@ -1,10 +1,10 @@
 //! The history of removals: their faces are the triangles, and the step that replaces a face creates it again.
 
-use super::history::{History, HistoryTriangle, PERMANENT, StepLinks};
+use super::history::{FanHistory, HistoryTriangle, PERMANENT, StepLinks};
 use crate::mesh::{FragmentSequence, FragmentedMesh};
 
 /// Collects the triangles of all levels of a mesh with fragments.
-pub(super) fn history(fragmented: &FragmentedMesh) -> History {
+pub(super) fn history(fragmented: &FragmentedMesh) -> FanHistory {
     let FragmentedMesh { fragments, .. } = fragmented;
     let faces = fragments.faces();
     let triangles = faces.iter().zip(fragments.replacing_steps()).map(|(face, replaced_by)| {
@@ -18,5 +18,5 @@ pub(super) fn history(fragmented: &FragmentedMesh) -> History {
         let floor = fragments.floor(step).iter().copied().flat_map(corners_of);
         links.note(step, fragments.levels(), star, floor);
     }
-    History::new(triangles.collect(), links, fragments.levels())
+    FanHistory::new(triangles.collect(), links, fragments.levels())
 }

@@ -17,7 +17,7 @@ pub(super) struct HistoryTriangle {
 
 /// The triangles of all levels; each belongs to the entry of its newest vertex.
 #[derive(Debug)]
-pub(super) struct History {
+pub(super) struct FanHistory {
     triangles: Vec<HistoryTriangle>,
     /// First triangle of each vertex in `entries`, followed by the triangle count.
     firsts: Vec<u32>,
@@ -28,7 +28,7 @@ pub(super) struct History {
     pub far: Vec<[u32; 2]>,
 }
 
-impl History {
+impl FanHistory {
     /// Sorts triangles into entries. `links` has the pairs that do not follow from them.
     pub(super) fn new(triangles: Vec<HistoryTriangle>, links: StepLinks, levels: &Levels) -> Self {
         let newest = |triangle: &HistoryTriangle| {

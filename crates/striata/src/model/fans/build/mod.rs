@@ -5,7 +5,7 @@ mod from_fragments;
 mod history;
 mod tree;
 
-use self::history::{History, PERMANENT};
+use self::history::{FanHistory, PERMANENT};
 use self::tree::Tree;
 use super::crowns::{RingArc, crowns};
 use super::table::{Creator, Fan, TableWriter};
@@ -159,7 +159,7 @@ impl Fans {
     /// Builds the table without bounds.
     fn of_history(
         source: FanSource<'_>,
-        history: &History,
+        history: &FanHistory,
         progress: &mut ProgressFn<'_>,
     ) -> Result<Self, Cancelled> {
         let (mesh, levels) = (source.mesh(), source.levels());

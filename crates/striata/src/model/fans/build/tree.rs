@@ -1,6 +1,6 @@
 //! The tree of steps along which bounds are nested.
 
-use super::history::History;
+use super::history::FanHistory;
 use crate::mesh::Levels;
 use crate::model::fans::table::Fan;
 
@@ -14,7 +14,7 @@ pub(super) struct Tree {
 
 impl Tree {
     /// Finds the parents of all steps.
-    pub(super) fn of_history(history: &History, levels: &Levels) -> Self {
+    pub(super) fn of_history(history: &FanHistory, levels: &Levels) -> Self {
         let step_count = levels.step_count();
         let mut tree = Self { parents: vec![u32::MAX; step_count], is_listed: vec![false; step_count] };
         for vertex in 0..history.vertex_count() as u32 {

@@ -1,6 +1,6 @@
 //! Writes triangle lists without a branch per triangle.
 
-use super::super::quick_table::{Number, QUICK_ARCS, Record};
+use super::super::quick_table::{FanRecord, QUICK_ARCS, RecordNumber};
 use super::super::table::{FanView, MAX_ARCS};
 
 /// Few fans have more active arcs.
@@ -55,7 +55,12 @@ impl IndexSink {
 
     /// Writes the triangles of a fan whose arcs are in a mask.
     #[inline(always)]
-    pub(in super::super) fn push_record<N: Number>(&mut self, record: &Record<N>, vertex: u32, mask: u32) {
+    pub(in super::super) fn push_record<N: RecordNumber>(
+        &mut self,
+        record: &FanRecord<N>,
+        vertex: u32,
+        mask: u32,
+    ) {
         let ring = record.ring(vertex);
         let arcs = ARCS[mask as usize & 127];
         let slots = match self.buffer[self.len..].first_chunk_mut::<SLOTS>() {

@@ -24,8 +24,8 @@ use std::ops::Range;
 use self::fan_form::{write_fans, write_strips};
 pub(super) use self::index_sink::IndexSink;
 pub(super) use self::walk::Span;
-use self::walk::{Collapsed, Shown, for_each_fan, for_each_step};
-use super::quick_table::{Number, Record, Records};
+use self::walk::{Collapsed, CollapsedSteps, for_each_fan, for_each_step};
+use super::quick_table::{FanRecord, FanRecords, RecordNumber};
 use super::{FanInstance, Fans, FansLevel};
 use crate::model::DrawCounts;
 
@@ -149,7 +149,7 @@ impl Fans {
 }
 
 /// Appends what is shown to the caller's indices.
-pub(super) fn append_all(fans: &Fans, shown: &impl Shown, form: FanForm, out: &mut Vec<u32>) {
+pub(super) fn append_all(fans: &Fans, shown: &impl CollapsedSteps, form: FanForm, out: &mut Vec<u32>) {
     let start = out.len();
     let mut all = FanIndices { indices: std::mem::take(out), ..FanIndices::default() };
     all.append(fans, shown, form, start);
@@ -167,13 +167,13 @@ impl Eq for FanIndices {}
 
 impl FanIndices {
     /// Replaces the contents by what is shown, in one sequential pass.
-    fn replace(&mut self, fans: &Fans, shown: &impl Shown, form: FanForm) {
+    fn replace(&mut self, fans: &Fans, shown: &impl CollapsedSteps, form: FanForm) {
         self.group_ranges.clear();
         self.append(fans, shown, form, 0);
     }
 
     /// Writes what is shown behind the first `start` indices, in one sequential pass.
-    fn append(&mut self, fans: &Fans, shown: &impl Shown, form: FanForm, start: usize) {
+    fn append(&mut self, fans: &Fans, shown: &impl CollapsedSteps, form: FanForm, start: usize) {
         let mut first = IndexSink::new(std::mem::take(&mut self.indices), start);
         let mut others = std::mem::take(&mut self.others);
         others.resize_with(fans.group_count - 1, IndexSink::default);
@@ -194,7 +194,7 @@ impl FanIndices {
     /// Replaces the contents by what is shown, running sections of the pass on all threads. The old
     /// indices are kept until overwritten, which saves clearing the memory.
     #[cfg(feature = "parallel")]
-    fn replace_parallel(&mut self, fans: &Fans, shown: &(impl Shown + Sync), form: FanForm) {
+    fn replace_parallel(&mut self, fans: &Fans, shown: &(impl CollapsedSteps + Sync), form: FanForm) {
         use rayon::prelude::*;
         if shown.active_count(fans) < MIN_PARALLEL_COUNT {
             return self.replace(fans, shown, form);
@@ -238,7 +238,7 @@ impl FanIndices {
     }
 }
 
-fn counts(fans: &Fans, shown: &impl Shown, form: FanForm) -> DrawCounts {
+fn counts(fans: &Fans, shown: &impl CollapsedSteps, form: FanForm) -> DrawCounts {
     let mut counts = DrawCounts::default();
     for_each_fan(fans, shown, Span::whole(fans), |fan, mask| form.count(&fan, mask, &mut counts));
     if form != FanForm::Triangles {
@@ -249,7 +249,7 @@ fn counts(fans: &Fans, shown: &impl Shown, form: FanForm) -> DrawCounts {
 
 /// Returns the indices of a section of the pass, group by group.
 #[cfg(feature = "parallel")]
-fn groups_of(fans: &Fans, shown: &impl Shown, form: FanForm, span: Span) -> Vec<IndexSink> {
+fn groups_of(fans: &Fans, shown: &impl CollapsedSteps, form: FanForm, span: Span) -> Vec<IndexSink> {
     let mut groups = vec![IndexSink::default(); fans.group_count];
     if let [first, others @ ..] = &mut groups[..] {
         // A vertex has about two triangles.
@@ -282,7 +282,13 @@ impl<'a> GroupOutputs<'a> {
 }
 
 /// Writes a section of the pass, with a restart after each fan or strip.
-fn write(fans: &Fans, shown: &impl Shown, form: FanForm, span: Span, outputs: &mut GroupOutputs<'_>) {
+fn write(
+    fans: &Fans,
+    shown: &impl CollapsedSteps,
+    form: FanForm,
+    span: Span,
+    outputs: &mut GroupOutputs<'_>,
+) {
     // Each arm instantiates its own loop, so that the code for a fan is inlined.
     match form {
         FanForm::Triangles => write_triangles(fans, shown, span, outputs),
@@ -296,19 +302,24 @@ fn write(fans: &Fans, shown: &impl Shown, form: FanForm, span: Span, outputs: &m
 }
 
 /// Writes the triangles of a section of the pass.
-pub(super) fn write_triangles(fans: &Fans, shown: &impl Shown, span: Span, outputs: &mut GroupOutputs<'_>) {
+pub(super) fn write_triangles(
+    fans: &Fans,
+    shown: &impl CollapsedSteps,
+    span: Span,
+    outputs: &mut GroupOutputs<'_>,
+) {
     let shown = shown.collapsed();
     match &fans.quick().records {
-        Records::Small(records) => write_records(fans, records, shown, span, outputs),
-        Records::Medium(records) => write_records(fans, records, shown, span, outputs),
-        Records::Large(records) => write_records(fans, records, shown, span, outputs),
+        FanRecords::Small(records) => write_records(fans, records, shown, span, outputs),
+        FanRecords::Medium(records) => write_records(fans, records, shown, span, outputs),
+        FanRecords::Large(records) => write_records(fans, records, shown, span, outputs),
     }
 }
 
 /// Writes the triangles of a section of the pass, with records for most vertices.
-fn write_records<N: Number>(
+fn write_records<N: RecordNumber>(
     fans: &Fans,
-    records: &[Record<N>],
+    records: &[FanRecord<N>],
     shown: impl Collapsed,
     span: Span,
     outputs: &mut GroupOutputs<'_>,
@@ -338,8 +349,8 @@ fn write_records<N: Number>(
 
 /// Writes the triangles of a vertex, given with its step plus 1, or 0 in the base.
 #[inline(never)]
-fn write_vertex<N: Number>(
-    (fans, records): (&Fans, &[Record<N>]),
+fn write_vertex<N: RecordNumber>(
+    (fans, records): (&Fans, &[FanRecord<N>]),
     shown: impl Collapsed,
     (vertex, own_step): (u32, u32),
     outputs: &mut GroupOutputs<'_>,

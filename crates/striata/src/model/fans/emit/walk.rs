@@ -63,7 +63,7 @@ impl Collapsed for FansLevel {
 }
 
 /// Something with a set of collapsed steps.
-pub(in super::super) trait Shown {
+pub(in super::super) trait CollapsedSteps {
     /// The set.
     type Collapsed<'a>: Collapsed
     where
@@ -82,7 +82,7 @@ pub(in super::super) trait Shown {
     }
 }
 
-impl Shown for FanInstance {
+impl CollapsedSteps for FanInstance {
     type Collapsed<'a> = CollapsedBits<'a>;
 
     #[inline]
@@ -91,7 +91,7 @@ impl Shown for FanInstance {
     }
 }
 
-impl Shown for FansLevel {
+impl CollapsedSteps for FansLevel {
     type Collapsed<'a> = Self;
 
     #[inline]
@@ -126,7 +126,7 @@ impl Span {
 
     /// Number of base vertices plus refined steps in the section.
     #[cfg(feature = "parallel")]
-    pub(super) fn active_count(&self, shown: &impl Shown) -> usize {
+    pub(super) fn active_count(&self, shown: &impl CollapsedSteps) -> usize {
         let shown = shown.collapsed();
         let words = words_of(&self.steps).map(|(word, mask)| shown.active_word(word) & mask);
         self.base.len() + words.map(|word| word.count_ones() as usize).sum::<usize>()
@@ -157,7 +157,7 @@ fn words_of(steps: &Range<u32>) -> impl Iterator<Item = (usize, u64)> + use<> {
 #[inline]
 pub(super) fn for_each_fan(
     fans: &Fans,
-    shown: &impl Shown,
+    shown: &impl CollapsedSteps,
     span: Span,
     mut visit: impl FnMut(FanView<'_>, u32),
 ) {

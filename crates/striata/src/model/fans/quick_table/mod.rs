@@ -15,16 +15,16 @@ mod record;
 use std::sync::OnceLock;
 
 use self::floor_owners::FloorOwners;
-pub(super) use self::number::Number;
+pub(super) use self::number::RecordNumber;
 use self::number::U24;
-pub(super) use self::record::{QUICK_ARCS, Record};
+pub(super) use self::record::{FanRecord, QUICK_ARCS};
 use super::Fans;
 use crate::model::step_bits::StepBits;
 
 /// The records of all vertices.
 #[derive(Clone, Debug)]
 pub(super) struct QuickTable {
-    pub records: Records,
+    pub records: FanRecords,
     /// Group of each vertex; empty if there is only one group.
     groups: Box<[u16]>,
     /// Step of each vertex plus 1, or 0 in the base; empty if each step has one vertex.
@@ -34,28 +34,28 @@ pub(super) struct QuickTable {
 
 /// Records by vertex, with numbers that are large enough.
 #[derive(Clone, Debug)]
-pub(super) enum Records {
+pub(super) enum FanRecords {
     /// Two bytes per number.
-    Small(Box<[Record<u16>]>),
+    Small(Box<[FanRecord<u16>]>),
     /// Three bytes per number.
-    Medium(Box<[Record<U24>]>),
+    Medium(Box<[FanRecord<U24>]>),
     /// Four bytes per number.
-    Large(Box<[Record<u32>]>),
+    Large(Box<[FanRecord<u32>]>),
 }
 
 /// Runs an expression with the records, whatever their type; `$record` is the one of a vertex if it has one.
 macro_rules! with_record {
     ($table:expr, $vertex:expr, $record:ident => $found:expr, $other:expr) => {
         match &$table.records {
-            Records::Small(records) => match &records[$vertex as usize] {
+            FanRecords::Small(records) => match &records[$vertex as usize] {
                 $record if $record.is_complete() => $found,
                 _ => $other,
             },
-            Records::Medium(records) => match &records[$vertex as usize] {
+            FanRecords::Medium(records) => match &records[$vertex as usize] {
                 $record if $record.is_complete() => $found,
                 _ => $other,
             },
-            Records::Large(records) => match &records[$vertex as usize] {
+            FanRecords::Large(records) => match &records[$vertex as usize] {
                 $record if $record.is_complete() => $found,
                 _ => $other,
             },
@@ -100,11 +100,11 @@ impl QuickTable {
             own_steps[vertices.start as usize..vertices.end as usize].fill(step as u32 + 1);
         }
         let records = if vertex_count <= 1 << 16 {
-            Records::Small(Record::all_of(fans))
+            FanRecords::Small(FanRecord::all_of(fans))
         } else if vertex_count <= 1 << 24 {
-            Records::Medium(Record::all_of(fans))
+            FanRecords::Medium(FanRecord::all_of(fans))
         } else {
-            Records::Large(Record::all_of(fans))
+            FanRecords::Large(FanRecord::all_of(fans))
         };
         let groups = vec![0; if fans.group_count > 1 { vertex_count } else { 0 }].into();
         let floors = FloorOwners::default();
@@ -118,9 +118,9 @@ impl QuickTable {
 
     fn bytes(&self) -> usize {
         let records = match &self.records {
-            Records::Small(records) => size_of_val(&records[..]),
-            Records::Medium(records) => size_of_val(&records[..]),
-            Records::Large(records) => size_of_val(&records[..]),
+            FanRecords::Small(records) => size_of_val(&records[..]),
+            FanRecords::Medium(records) => size_of_val(&records[..]),
+            FanRecords::Large(records) => size_of_val(&records[..]),
         };
         records + size_of_val(&self.groups[..]) + size_of_val(&self.own_steps[..]) + self.floors.bytes()
     }

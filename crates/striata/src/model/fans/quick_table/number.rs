@@ -1,7 +1,7 @@
 //! Numbers of two to four bytes.
 
 /// A number of a record.
-pub(in super::super) trait Number: Copy + Default {
+pub(in super::super) trait RecordNumber: Copy + Default {
     /// Largest number that can be stored.
     const MAX: u32;
 
@@ -16,7 +16,7 @@ pub(in super::super) trait Number: Copy + Default {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in super::super) struct U24([u8; 3]);
 
-impl Number for u16 {
+impl RecordNumber for u16 {
     const MAX: u32 = u16::MAX as u32;
 
     #[inline(always)]
@@ -30,7 +30,7 @@ impl Number for u16 {
     }
 }
 
-impl Number for U24 {
+impl RecordNumber for U24 {
     const MAX: u32 = (1 << 24) - 1;
 
     #[inline(always)]
@@ -46,7 +46,7 @@ impl Number for U24 {
     }
 }
 
-impl Number for u32 {
+impl RecordNumber for u32 {
     const MAX: u32 = u32::MAX;
 
     #[inline(always)]
@@ -64,7 +64,7 @@ impl Number for u32 {
 mod tests {
     use super::*;
 
-    fn survives<N: Number>() {
+    fn survives<N: RecordNumber>() {
         for number in [0, 1, 255, 256, 65_535, 65_536, 1 << 23, N::MAX].map(|number| number.min(N::MAX)) {
             assert_eq!(N::store(number).load(), number);
         }

@@ -1,6 +1,6 @@
 //! One record: a fan whose parts have fixed places.
 
-use super::Number;
+use super::RecordNumber;
 use crate::model::fans::Fans;
 use crate::model::fans::table::FanView;
 use crate::model::step_bits::StepBits;
@@ -17,7 +17,7 @@ const CREATORS: usize = 5;
 /// The only fan of a vertex, or nothing if there is none or it is too large; `N` is the type of its numbers.
 #[derive(Clone, Copy, Debug, Default)]
 #[repr(C)]
-pub(in super::super) struct Record<N> {
+pub(in super::super) struct FanRecord<N> {
     /// Vertex minus node, the first one again at the end if the fan is closed; unused ones repeat the first. All
     /// are 0 if there is no fan.
     distances: [N; NODES],
@@ -28,7 +28,7 @@ pub(in super::super) struct Record<N> {
     masks: [u8; CREATORS + 1],
 }
 
-impl<N: Number> Record<N> {
+impl<N: RecordNumber> FanRecord<N> {
     /// Makes the records of all vertices.
     pub(super) fn all_of(fans: &Fans) -> Box<[Self]> {
         let mut records = vec![Self::default(); fans.vertex_count()];

@@ -6,14 +6,14 @@ use crate::model::varint::read_varint;
 
 /// Decodes the fans of a vertex.
 #[derive(Clone, Copy, Debug)]
-pub(in super::super) struct Entry<'t> {
+pub(in super::super) struct FanEntry<'t> {
     bytes: &'t [u8],
     vertex: u32,
     own_step: u32,
     has_groups: bool,
 }
 
-impl<'t> Entry<'t> {
+impl<'t> FanEntry<'t> {
     /// Decodes bytes that begin with the first fan; `own_step` is the step of the vertex plus 1, or 0 in the base.
     #[inline]
     pub(in super::super) fn new(bytes: &'t [u8], vertex: u32, own_step: u32, has_groups: bool) -> Self {
@@ -60,7 +60,7 @@ impl NumberWidth {
     }
 }
 
-impl<'t> Iterator for Entry<'t> {
+impl<'t> Iterator for FanEntry<'t> {
     type Item = FanView<'t>;
 
     // Forced, because the returned value is large and callers use only a few of its fields.

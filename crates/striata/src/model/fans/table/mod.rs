@@ -20,7 +20,7 @@
 mod fan_view;
 mod writer;
 
-pub(super) use self::fan_view::{Entry, FanView};
+pub(super) use self::fan_view::{FanEntry, FanView};
 pub(super) use self::writer::{Creator, Fan, TableWriter};
 use crate::model::ModelError;
 
@@ -41,7 +41,7 @@ const HAS_PERMANENT: u8 = 1 << 7;
 
 /// The encoded entries of all vertices; see the [module](self).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Table {
+pub(super) struct FanTable {
     bytes: Vec<u8>,
     /// Offset of each block of vertices in `bytes`.
     blocks: Vec<u32>,
@@ -63,7 +63,7 @@ pub(super) struct TableArrays<'a> {
     pub starts: &'a [u16],
 }
 
-impl Table {
+impl FanTable {
     /// Returns the size in bytes of the entries, and of the arrays that locate them.
     pub(super) fn sizes(&self) -> [usize; 2] {
         let starts = 4 * (self.blocks.len() + self.wide_starts.len()) + 2 * self.starts.len();
@@ -129,11 +129,11 @@ impl Table {
 
     /// Returns the fans of a vertex; `own_step` is its step plus 1, or 0 for a base vertex.
     #[inline]
-    pub(super) fn entry(&self, vertex: u32, own_step: u32) -> Entry<'_> {
+    pub(super) fn entry(&self, vertex: u32, own_step: u32) -> FanEntry<'_> {
         let start = self.start(vertex as usize);
         let is_empty = start == self.start(vertex as usize + 1);
         let bytes = if is_empty { &[][..] } else { &self.bytes[start..] };
-        Entry::new(bytes, vertex, own_step, self.has_groups)
+        FanEntry::new(bytes, vertex, own_step, self.has_groups)
     }
 }
 
@@ -158,7 +158,11 @@ mod tests {
             let TableArrays { entries, blocks, starts } = table.arrays();
             let (mut bytes, mut blocks, mut starts) = (entries.to_vec(), blocks.to_vec(), starts.to_vec());
             damage(&mut bytes, &mut blocks, &mut starts);
-            Table::from_arrays(TableArrays { entries: &bytes, blocks: &blocks, starts: &starts }, 200, false)
+            FanTable::from_arrays(
+                TableArrays { entries: &bytes, blocks: &blocks, starts: &starts },
+                200,
+                false,
+            )
         };
         assert_eq!(rebuilt(|_, _, _| ()), Ok(table.clone()));
         let wide = rebuilt(|_, blocks, starts| {
@@ -173,7 +177,7 @@ mod tests {
             starts[vertex] += 700;
             blocks[vertex / BLOCK] += 40;
             let found =
-                Table::from_arrays(TableArrays { entries, blocks: &blocks, starts: &starts }, 200, false);
+                FanTable::from_arrays(TableArrays { entries, blocks: &blocks, starts: &starts }, 200, false);
             assert!(matches!(found, Err(ModelError::Entry { reason: r, .. }) if r == reason), "{vertex}");
         }
         let behind = rebuilt(|_, blocks, _| blocks[2] = u32::MAX);

@@ -1,6 +1,6 @@
 //! Encodes the table.
 
-use super::{BLOCK, CLOSED, FOLLOWED, HAS_PERMANENT, PADDING, Table, WIDE};
+use super::{BLOCK, CLOSED, FOLLOWED, FanTable, HAS_PERMANENT, PADDING, WIDE};
 use crate::model::varint::write_varint;
 
 /// A fan before it is encoded: its nodes, its permanent arcs, and its other arcs by the step that creates
@@ -78,15 +78,15 @@ impl TableWriter {
         }
     }
 
-    pub(in super::super) fn finish(self) -> Table {
+    pub(in super::super) fn finish(self) -> FanTable {
         let Self { mut bytes, starts, has_groups } = self;
         bytes.extend_from_slice(&[0; PADDING]);
         let blocks: Vec<u32> = starts.iter().copied().step_by(BLOCK).collect();
         let within = starts.iter().enumerate().map(|(i, &start)| u16::try_from(start - blocks[i / BLOCK]));
         match within.collect::<Result<Vec<u16>, _>>() {
-            Ok(within) => Table { bytes, blocks, starts: within, wide_starts: Vec::new(), has_groups },
+            Ok(within) => FanTable { bytes, blocks, starts: within, wide_starts: Vec::new(), has_groups },
             Err(_) => {
-                Table { bytes, blocks: Vec::new(), starts: Vec::new(), wide_starts: starts, has_groups }
+                FanTable { bytes, blocks: Vec::new(), starts: Vec::new(), wide_starts: starts, has_groups }
             }
         }
     }

@@ -1,7 +1,7 @@
 use super::*;
 use crate::mesh::Random;
 
-const LAYOUT: Layout = Layout {
+const LAYOUT: RecordLayout = RecordLayout {
     kind_count: 300,
     short_kind_bits: 0,
     half_edge_count: 60,
@@ -22,7 +22,7 @@ fn drafts(count: u32, rare: u32, has_errors: bool, seed: u64) -> Vec<Draft> {
                 // Low kinds are frequent.
                 kind: below(300).min(below(300)).min(below(300)),
                 up: (0..ups)
-                    .map(|_| Up {
+                    .map(|_| UpLink {
                         above: step + 1 + below(count - step - 1),
                         code: below(if is_rare { 60 } else { 16 }),
                         error: if has_errors { below(256) } else { 0 },
@@ -54,7 +54,7 @@ fn records_are_read_as_they_were_packed() {
         for rare in [2, 50, 10_000] {
             for has_errors in [false, true] {
                 let drafts = drafts(count, rare, has_errors, seed as u64 + 1);
-                let records = Records::pack(&drafts, Layout { has_errors, ..LAYOUT }).unwrap();
+                let records = Records::pack(&drafts, RecordLayout { has_errors, ..LAYOUT }).unwrap();
                 assert_eq!(read(&records), drafts);
                 let (blocks, bits) = records.parts();
                 let bits = Bits::from_bytes(bits.as_bytes(), bits.len()).unwrap();
@@ -68,7 +68,7 @@ fn records_are_read_as_they_were_packed() {
 #[test]
 fn damaged_records_are_refused_or_stay_within_their_bits() {
     let drafts = drafts(100, 20, true, 3);
-    let records = Records::pack(&drafts, Layout { has_errors: true, ..LAYOUT }).unwrap();
+    let records = Records::pack(&drafts, RecordLayout { has_errors: true, ..LAYOUT }).unwrap();
     let (blocks, bits) = records.parts();
     let mut refused = 0;
     let mut check = |blocks: Vec<u32>, bytes: &[u8]| {

@@ -25,7 +25,7 @@ use super::copies::marked_copies;
 use super::select::{Selection, keep_cheapest};
 
 /// All batches of a mesh.
-pub(super) struct Outcome {
+pub(super) struct BatchOutcome {
     /// The collapses, finest first.
     pub record: CollapseRecord,
     /// Number of collapses applied at the end of each batch.
@@ -98,7 +98,7 @@ impl<'a> BatchSimplifier<'a> {
 
     /// Runs batch after batch until nothing can be removed, the base size is reached, batches get too
     /// small, or the error limit would be exceeded.
-    pub(super) fn run(mut self, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError> {
+    pub(super) fn run(mut self, progress: &mut ProgressFn<'_>) -> Result<BatchOutcome, SimplifyError> {
         let total = self.choices.len() as u64;
         let stop_reason = loop {
             if self.is_base_reached() {
@@ -130,7 +130,7 @@ impl<'a> BatchSimplifier<'a> {
             }
             Progress { phase: "simplify", done: done as u64, total }.report(progress)?;
         };
-        Ok(Outcome { record: self.executor.record, ends: self.ends, stop_reason })
+        Ok(BatchOutcome { record: self.executor.record, ends: self.ends, stop_reason })
     }
 
     /// Closes a batch that began after `before` collapses; returns its number of collapses.

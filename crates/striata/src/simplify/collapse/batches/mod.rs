@@ -110,7 +110,7 @@ pub fn build_welded_batches_with_progress(
 ) -> Result<BuiltBatches, SimplifyError> {
     options.check()?;
     let welded = copies::separate_copies(welded, &options.sequence);
-    let batch_simplifier::Outcome { record, ends, stop_reason } =
+    let batch_simplifier::BatchOutcome { record, ends, stop_reason } =
         batch_simplifier::BatchSimplifier::new(&welded, options).run(progress)?;
     let step_count = record.removed.len() as u32;
     let batches = ends.iter().rev().chain(&[0]).map(|end| step_count - end).collect();

@@ -4,13 +4,13 @@ use super::edge::{LinkEdge, LinkKind};
 
 /// Scratch for ordering link edges, and the result.
 #[derive(Debug, Default)]
-pub(super) struct Chain {
+pub(super) struct LinkChain {
     pub entries: Vec<u32>,
     pub triangles: Vec<u32>,
     order: Vec<u32>,
 }
 
-impl Chain {
+impl LinkChain {
     /// Orders the edges head to tail; falls back to an edge list if that does not give a single cycle
     /// or path.
     pub(super) fn order(&mut self, edges: &[LinkEdge]) -> LinkKind {

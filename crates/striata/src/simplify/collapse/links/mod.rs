@@ -24,7 +24,7 @@ mod tests;
 
 pub(in crate::simplify) use edge::{LinkEdge, LinkKind};
 
-use chain::Chain;
+use chain::LinkChain;
 
 #[derive(Clone, Copy, Debug)]
 struct Slab {
@@ -47,7 +47,7 @@ pub(in crate::simplify) struct Links {
     ring: Vec<u32>,
     ring_triangles: Vec<u32>,
     edges: Vec<LinkEdge>,
-    chain: Chain,
+    chain: LinkChain,
 }
 
 /// Maximum number of triangles around one position among which the nearest one is searched.
@@ -89,7 +89,7 @@ impl Links {
             ring: Vec::new(),
             ring_triangles: Vec::new(),
             edges: Vec::new(),
-            chain: Chain::default(),
+            chain: LinkChain::default(),
         };
         let mut edges = Vec::new();
         for p in 0..position_count {

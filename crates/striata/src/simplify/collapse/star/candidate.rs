@@ -47,7 +47,7 @@ impl Star {
             let old = Vec3x8::load(normals, t);
             let new = a.sub(u).cross(b.sub(u));
             let new_squared = new.dot(new);
-            let change = fan::Change {
+            let change = fan::FanChange {
                 old_length: old.dot(old).sqrt(),
                 new_length: new_squared.sqrt(),
                 new_on_old: new.dot(old),
@@ -56,7 +56,7 @@ impl Star {
                 old_edges: aa + bb + (aa + bb - ab - ab),
                 new_edges: (aa + uu - ua - ua) + (bb + uu - ub - ub) + (aa + bb - ab - ab),
             };
-            let fan::Verdict { is_allowed, may_turn } = change.verdict(star);
+            let fan::LaneVerdict { is_allowed, may_turn } = change.verdict(star);
             if !(is_allowed | vanishes).all() || self.any_turns_over(t, may_turn & !vanishes, to) {
                 return None;
             }

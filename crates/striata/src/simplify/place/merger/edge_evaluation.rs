@@ -8,7 +8,7 @@ use crate::simplify::collapse::collapse_choice::CollapseChoice;
 use crate::simplify::collapse::cost_evaluator::CostEvaluator;
 use crate::simplify::options::SeamRule;
 use crate::simplify::place::edge_placement::{EdgePlacement, candidate_positions, first_candidate_cost};
-use crate::simplify::place::neighborhood::Neighborhood;
+use crate::simplify::place::neighborhood::PositionStar;
 use crate::simplify::place::quadratic_form::EdgeForm;
 use crate::simplify::place::seams::{Merge, SeamCosts, seam_weight};
 
@@ -220,7 +220,7 @@ impl Merger<'_> {
 
 /// Gathers the star of `v` with its seams.
 fn gather_into(
-    neighborhood: &mut Neighborhood,
+    neighborhood: &mut PositionStar,
     evaluator: &CostEvaluator<'_>,
     positions: &[DVec3],
     seams: SeamRule,

@@ -16,7 +16,7 @@ use crate::simplify::scaled_space::ScaledSpace;
 use crate::{Progress, ProgressFn};
 
 use super::blend::Blender;
-use super::neighborhood::Neighborhood;
+use super::neighborhood::PositionStar;
 use super::quadratic_form::StarForm;
 
 use super::seams::merge_wedges;
@@ -47,8 +47,8 @@ pub(super) struct Merger<'a> {
     stars: Vec<StarData>,
     choices: Vec<EdgeChoice>,
     heap: IndexedHeap,
-    neighborhood: Neighborhood,
-    other_neighborhood: Neighborhood,
+    neighborhood: PositionStar,
+    other_neighborhood: PositionStar,
     costs: Vec<f32>,
     ring: Vec<u32>,
     /// Neighbors of the position removed last, each once.
@@ -92,8 +92,8 @@ impl<'a> Merger<'a> {
             choices: vec![NO_CHOICE; position_count],
             heap: IndexedHeap::new(&[]),
             positions,
-            neighborhood: Neighborhood::default(),
-            other_neighborhood: Neighborhood::default(),
+            neighborhood: PositionStar::default(),
+            other_neighborhood: PositionStar::default(),
             costs: Vec::new(),
             ring: Vec::new(),
             removed_ring: Vec::new(),
@@ -264,7 +264,7 @@ impl<'a> Merger<'a> {
         }
         let other = self.choices[v as usize].other;
         self.gather(v);
-        let Neighborhood { ids, triangles, .. } = &self.neighborhood;
+        let PositionStar { ids, triangles, .. } = &self.neighborhood;
         for t in triangles {
             let [a, b] = [t.a, t.b].map(|i| ids[i as usize]);
             self.thirds.extend((a == other).then_some(b).or((b == other).then_some(a)));
