@@ -51,7 +51,7 @@ fn palette() -> BaseColor {
     const PIXELS: usize = 8;
     let side = PATCHES * PIXELS;
     let pixels: Vec<_> = (0..side * side).map(|i| color_of([i % side / PIXELS, i / side / PIXELS])).collect();
-    let texture = TextureLevels::new((side as u32, side as u32), &pixels, false);
+    let texture = TextureLevels::new(side as u32, side as u32, &pixels, false);
     BaseColor::new(texture.expect("the size is right"))
 }
 

@@ -45,7 +45,7 @@ impl TextureLevels {
     ///
     /// Without `has_alpha`, the image is opaque. With it, colors are multiplied by alpha, and a difference of
     /// alpha counts as much as that of a color channel.
-    pub fn new((width, height): (u32, u32), pixels: &[[u8; 4]], has_alpha: bool) -> Option<Self> {
+    pub fn new(width: u32, height: u32, pixels: &[[u8; 4]], has_alpha: bool) -> Option<Self> {
         if pixels.is_empty() || u64::from(width) * u64::from(height) != pixels.len() as u64 {
             return None;
         }
@@ -203,7 +203,7 @@ mod tests {
 
     fn row(grays: &[u8]) -> TextureLevels {
         let pixels: Vec<[u8; 4]> = grays.iter().map(|&gray| [gray, gray, gray, 255]).collect();
-        TextureLevels::new((grays.len() as u32, 1), &pixels, false).expect("the size is right")
+        TextureLevels::new(grays.len() as u32, 1, &pixels, false).expect("the size is right")
     }
 
     #[test]
@@ -235,18 +235,18 @@ mod tests {
 
     #[test]
     fn images_are_reduced_and_checked() {
-        let large = TextureLevels::new((1025, 3), &vec![[7, 8, 9, 255]; 3075], false).expect("a texture");
+        let large = TextureLevels::new(1025, 3, &vec![[7, 8, 9, 255]; 3075], false).expect("a texture");
         let sizes: Vec<_> = large.levels.iter().map(|level| (level.width, level.height)).collect();
         assert_eq!(sizes[..2], [(257, 1), (129, 1)]);
         assert!(large.levels.iter().flat_map(|level| &level.pixels).all(|&p| p == [7, 8, 9, 255]));
-        assert_eq!(TextureLevels::new((2, 2), &[[0; 4]; 3], false), None);
-        assert_eq!(TextureLevels::new((0, 0), &[], false), None);
+        assert_eq!(TextureLevels::new(2, 2, &[[0; 4]; 3], false), None);
+        assert_eq!(TextureLevels::new(0, 0, &[], false), None);
     }
 
     #[test]
     fn alpha_counts_if_it_is_visible() {
         let pixels = [[200, 100, 0, 64]];
-        let shown = |has_alpha| TextureLevels::new((1, 1), &pixels, has_alpha).map(|t| t.levels[0].pixels[0]);
+        let shown = |has_alpha| TextureLevels::new(1, 1, &pixels, has_alpha).map(|t| t.levels[0].pixels[0]);
         assert_eq!(shown(false), Some([200, 100, 0, 255]));
         assert_eq!(shown(true), Some([100, 50, 0, 64]));
     }

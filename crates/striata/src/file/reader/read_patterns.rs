@@ -41,8 +41,9 @@ impl StriataFile<'_> {
         };
         let unsound = |reason| DecodeError::Model { model: ModelKind::Patterns, reason };
         let group_count = self.groups()?.len().max(1);
-        let counts = (group_count, self.summary.triangle_count);
-        let patterns = Patterns::from_parts(self.step_vertices()?, counts, parts).map_err(unsound)?;
+        let triangle_count = self.summary.triangle_count;
+        let patterns = Patterns::from_parts(self.step_vertices()?, group_count, triangle_count, parts);
+        let patterns = patterns.map_err(unsound)?;
         let kind = SectionKind::PATTERN_RECORDS;
         self.expect(kind, "steps", patterns.step_count(), self.summary.step_count)?;
         Ok(patterns)

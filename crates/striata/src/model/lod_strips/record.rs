@@ -89,23 +89,19 @@ impl RecordFormat {
     /// Finds the short record that begins at `start`; `None` if it exceeds the arena.
     #[inline]
     pub(super) fn record_at(self, arena: &[u8], start: usize, head: u8) -> Option<StripRecord<'_>> {
-        self.record(arena, start, self.short_bytes(head))
+        let (of_slots, of_drops) = self.short_bytes(head);
+        self.record(arena, start, of_slots, of_drops)
     }
 
     /// Finds the short record that ends at `end`; `None` if it exceeds the arena.
     #[inline]
     pub(super) fn record_before(self, arena: &[u8], end: usize, head: u8) -> Option<StripRecord<'_>> {
-        let bytes = self.short_bytes(head);
-        self.record(arena, end.checked_sub(bytes.0 + bytes.1)?, bytes)
+        let (of_slots, of_drops) = self.short_bytes(head);
+        self.record(arena, end.checked_sub(of_slots + of_drops)?, of_slots, of_drops)
     }
 
     #[inline]
-    fn record(
-        self,
-        arena: &[u8],
-        start: usize,
-        (of_slots, of_drops): (usize, usize),
-    ) -> Option<StripRecord<'_>> {
+    fn record(self, arena: &[u8], start: usize, of_slots: usize, of_drops: usize) -> Option<StripRecord<'_>> {
         let end = start + of_slots + of_drops;
         // The padding lets every number be read with one load.
         let (slots, drops) = arena.get(start..end + ARENA_PADDING)?.split_at_checked(of_slots)?;

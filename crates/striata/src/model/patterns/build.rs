@@ -88,7 +88,7 @@ impl Patterns {
         let mut dependencies = Dependencies::new(step_count);
         let mut below = Vec::new();
         for step in 0..step_count as u32 {
-            let (sharing, up) = locations.share(step, (&rules, &codes), &rules_of);
+            let (sharing, up) = locations.share(step, &rules, &codes, &rules_of);
             sharings_of.push(sharings.find(&sharing));
             below.clear();
             below.extend(fragments.floor(step).iter().filter_map(|&face| fragments.creating_step(face)));
@@ -219,7 +219,8 @@ impl<'a> FaceLocations<'a> {
     fn share(
         &self,
         step: u32,
-        (rules, codes): (&RuleTable, &RuleCodes),
+        rules: &RuleTable,
+        codes: &RuleCodes,
         rules_of: &[u32],
     ) -> (Vec<CeilingShare>, Vec<UpLink>) {
         let base = self.fragments.base_face_count();

@@ -110,7 +110,7 @@ impl PatternInstance {
         (rule, sharing, locals): (&RuleView<'_, N>, Sharing<'_>, &mut L),
         mut visit: impl FnMut(UpLink),
     ) {
-        set_known(patterns, (step, head), rule, locals);
+        set_known(patterns, step, head, rule, locals);
         let freed = self.take_floor(step, rule, locals);
         let is_grouped = patterns.group_count > 1;
         let ceiling = rule.ceilings();
@@ -266,7 +266,7 @@ impl PatternInstance {
         of_rule!(rule, rule => {
             scratch.locals.clear();
             scratch.locals.resize(rule.local_count(), 0);
-            set_known(patterns, (step, head), &rule, &mut scratch.locals);
+            set_known(patterns, step, head, &rule, &mut scratch.locals);
         });
         let ceiling = |s: u32| of_rule!(rule, rule => rule.ceiling(s as usize));
         let mut slot = self.heads[step as usize].wrapping_sub(1);
@@ -282,7 +282,7 @@ impl PatternInstance {
         if remove {
             self.heads[step as usize] = 0;
         }
-        scratch.load_shared(patterns, head, (patterns.sharings.get(sharing), rule.ceiling_count()));
+        scratch.load_shared(patterns, head, patterns.sharings.get(sharing), rule.ceiling_count());
         let shared = std::mem::take(&mut scratch.shared);
         for own in shared.chunk_by(|a, b| a.above == b.above) {
             self.read_above(patterns, own, remove, |triangle, corners| {
@@ -356,7 +356,7 @@ impl PatternInstance {
 
 impl InstanceScratch {
     /// Finds where the triangles of a ceiling go, sorted, so that each list above is traversed only once.
-    fn load_shared(&mut self, patterns: &Patterns, head: &StepHead, (sharing, count): (Sharing<'_>, usize)) {
+    fn load_shared(&mut self, patterns: &Patterns, head: &StepHead, sharing: Sharing<'_>, count: usize) {
         self.links.clear();
         self.links.extend(patterns.records.ups(head));
         self.shared.clear();
@@ -379,7 +379,8 @@ impl InstanceScratch {
 #[inline]
 fn set_known<N: Number>(
     patterns: &Patterns,
-    (step, head): (u32, &StepHead),
+    step: u32,
+    head: &StepHead,
     rule: &RuleView<'_, N>,
     locals: &mut impl Locals,
 ) {

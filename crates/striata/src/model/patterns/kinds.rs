@@ -89,7 +89,8 @@ impl KindTable {
     /// [`ModelError`] naming the first mismatch.
     pub(super) fn from_bytes(
         bytes: &[u8],
-        (count, step_count): (u32, usize),
+        count: u32,
+        step_count: usize,
         rules: &RuleTable,
         sharings: &OverlapTable,
     ) -> Result<Self, ModelError> {

@@ -80,7 +80,8 @@ impl Patterns {
     /// [`ModelError`] naming the first mismatch.
     pub(crate) fn from_parts(
         vertices: StepVertices<'_>,
-        (group_count, triangle_count): (usize, usize),
+        group_count: usize,
+        triangle_count: usize,
         parts: PatternsParts<'_>,
     ) -> Result<Self, ModelError> {
         for (what, bytes) in [("bytes of rules", &parts.rules), ("bytes of sharings", &parts.sharings)] {
@@ -101,7 +102,7 @@ impl Patterns {
         }
         let rules = rules_from_bytes(&parts.rules, group_count)?;
         let sharings = sharings_from_bytes(&parts.sharings)?;
-        let kinds = KindTable::from_bytes(parts.kinds, (kind_count, step_count), &rules, &sharings)?;
+        let kinds = KindTable::from_bytes(parts.kinds, kind_count, step_count, &rules, &sharings)?;
         let length = u64::from(low) | u64::from(high) << 32;
         let bits = usize::try_from(length).ok().and_then(|length| Bits::from_bytes(parts.records, length));
         let expected = parts.records.len().saturating_mul(8);
@@ -109,7 +110,7 @@ impl Patterns {
         let (has_wide_counts, has_errors) = (flags & 1 != 0, flags & 2 != 0);
         let layout =
             RecordLayout { kind_count, short_kind_bits, half_edge_count, has_errors, has_wide_counts };
-        let records = Records::from_parts(step_count, layout, (parts.blocks.to_vec(), bits.ok_or(wrong)?))?;
+        let records = Records::from_parts(step_count, layout, parts.blocks.to_vec(), bits.ok_or(wrong)?)?;
         let scale = BoundScale::of_stored_errors(error_base).filter(|_| has_errors || error_base == 0);
         let reason = "exceeds the largest number";
         let scale = scale.ok_or(ModelError::Listed { what: "scale of errors", place: 0, reason })?;

@@ -509,7 +509,8 @@ impl Records {
     pub(super) fn from_parts(
         step_count: usize,
         layout: RecordLayout,
-        (blocks, bits): (Vec<u32>, Bits),
+        blocks: Vec<u32>,
+        bits: Bits,
     ) -> Result<Self, ModelError> {
         let records = Self { step_count, layout, blocks, bits };
         records.check_widths()?;

@@ -116,8 +116,8 @@ impl CellMesh {
         self.positions.extend_from_slice(&other.positions);
         self.triangles.extend(other.triangles.iter().map(|t| t.map(|v| v + offset)));
         let after = self.triangles.len();
-        append_per_triangle(&mut self.groups, &other.groups, (before, after));
-        append_per_triangle(&mut self.histories, &other.histories, (before, after));
+        append_per_triangle(&mut self.groups, &other.groups, before, after);
+        append_per_triangle(&mut self.histories, &other.histories, before, after);
         self.waits.extend(other.waits.iter().map(|&(v, history)| (v + offset, history)));
     }
 }
@@ -133,7 +133,7 @@ fn append_layers(layers: &mut Vec<AttributeLayer>, more: &[AttributeLayer]) {
 }
 
 /// Appends values of triangles; an empty list stands for default values.
-fn append_per_triangle<T: Clone + Default>(values: &mut Vec<T>, more: &[T], (before, after): (usize, usize)) {
+fn append_per_triangle<T: Clone + Default>(values: &mut Vec<T>, more: &[T], before: usize, after: usize) {
     if values.is_empty() && more.is_empty() {
         return;
     }

@@ -275,7 +275,7 @@ impl<'a> CoarseningWalk<'a> {
         if bound > self.largest * SEARCH_THRESHOLD {
             let fragments = self.fragments;
             let substitutes = self.substitutes.get_or_insert_with(|| SubstituteFinder::new(fragments));
-            let mut faces = substitutes.find((fragments, self.positions), step);
+            let mut faces = substitutes.find(fragments, self.positions, step);
             faces.extend_from_slice(fragments.floor(step));
             self.set_floor(&faces);
             let combined = self.cover.propose(&self.ceiling, &self.floor);
@@ -293,7 +293,7 @@ impl<'a> CoarseningWalk<'a> {
     fn undo_with_empty_floor(&mut self, step: u32) -> f64 {
         let fragments = self.fragments;
         let substitutes = self.substitutes.get_or_insert_with(|| SubstituteFinder::new(fragments));
-        let mut found = substitutes.find((fragments, self.positions), step);
+        let mut found = substitutes.find(fragments, self.positions, step);
         let is_free = self.scope == Scope::Levels;
         found.retain(|&face| {
             is_free

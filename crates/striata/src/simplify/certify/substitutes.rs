@@ -63,8 +63,7 @@ impl SubstituteFinder {
 
     /// Returns the faces that exist just before `step` is applied and touch its ceiling; if there are
     /// none, those nearest to it.
-    pub(super) fn find(&mut self, mesh: (&FragmentSequence, &[[f32; 3]]), step: u32) -> Vec<u32> {
-        let fragments = mesh.0;
+    pub(super) fn find(&mut self, fragments: &FragmentSequence, points: &[[f32; 3]], step: u32) -> Vec<u32> {
         let positions = fragments.levels().positions();
         let mut found = Vec::new();
         for face in fragments.ceiling(step) {
@@ -77,7 +76,7 @@ impl SubstituteFinder {
             }
         }
         if found.is_empty() {
-            found.extend(self.nearest(mesh, step));
+            found.extend(self.nearest(fragments, points, step));
         }
         found.sort_unstable();
         found.dedup();
@@ -98,7 +97,7 @@ impl SubstituteFinder {
     }
 
     /// Returns the faces nearest to the corners and centroids of the faces that the step removes.
-    fn nearest(&mut self, (fragments, points): (&FragmentSequence, &[[f32; 3]]), step: u32) -> Vec<u32> {
+    fn nearest(&mut self, fragments: &FragmentSequence, points: &[[f32; 3]], step: u32) -> Vec<u32> {
         let face_tree = self.face_tree.take().unwrap_or_else(|| FaceTree::new(fragments, points));
         let to_local = |v: u32| face_tree.to_local(points[v as usize]);
         let mut from = Vec::new();

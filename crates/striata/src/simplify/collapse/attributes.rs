@@ -184,7 +184,7 @@ impl AttributeSpace {
         let is_texcoord = matches!(layer.semantic, Semantic::TexCoord(_));
         if is_texcoord {
             self.texcoords |= bits;
-            lengths = charts::atlas_unit_lengths(welded, layer, (scale, &options.texcoord_scales));
+            lengths = charts::atlas_unit_lengths(welded, layer, scale, &options.texcoord_scales);
             self.atlases.resize(lengths.len(), 0);
             for (mask, &length) in self.atlases.iter_mut().zip(&lengths) {
                 *mask |= if length > 0.0 { bits } else { 0 };
@@ -280,8 +280,10 @@ impl AttributeSpace {
     /// coordinates.
     pub(in crate::simplify) fn points_difference_squared(
         &self,
-        (corners, weights): ([u32; 3], [f32; 3]),
-        (other_corners, other_weights): ([u32; 3], [f32; 3]),
+        corners: [u32; 3],
+        weights: [f32; 3],
+        other_corners: [u32; 3],
+        other_weights: [f32; 3],
     ) -> f32 {
         let at = |corners: [u32; 3], weights: [f32; 3], d: usize| -> f32 {
             corners.into_iter().zip(weights).map(|(corner, weight)| weight * self.of(corner)[d]).sum()
@@ -291,7 +293,7 @@ impl AttributeSpace {
             .map(|difference| difference * difference)
             .sum();
         let colors = self.base_colors.as_ref().map_or(0.0, |colors| {
-            colors.points_difference_squared((corners, weights), (other_corners, other_weights))
+            colors.points_difference_squared(corners, weights, other_corners, other_weights)
         });
         let squared: f32 = squared + colors;
         if self.share_material(corners[0], other_corners[0]) {

@@ -170,8 +170,10 @@ impl BaseColors {
     /// coordinates; 0 if one color is not known.
     pub(in crate::simplify) fn points_difference_squared(
         &self,
-        (corners, weights): ([u32; 3], [f32; 3]),
-        (other_corners, other_weights): ([u32; 3], [f32; 3]),
+        corners: [u32; 3],
+        weights: [f32; 3],
+        other_corners: [u32; 3],
+        other_weights: [f32; 3],
     ) -> f32 {
         let at = |corners: [u32; 3], weights| {
             self.color(corners[0], self.texcoords_in(corners, weights), self.pixel_area(corners))
@@ -188,7 +190,7 @@ impl BaseColors {
             return 0.0;
         }
         let normal: Vec3 = old.iter().map(ShownTriangle::doubled_normal).sum();
-        let plane = normal.normalize_or(Vec3::Z).any_orthonormal_pair();
+        let plane = <[Vec3; 2]>::from(normal.normalize_or(Vec3::Z).any_orthonormal_pair());
         let fan: Vec<FlatTriangle> =
             new.iter().filter_map(|triangle| FlatTriangle::new(self, triangle, plane)).collect();
         if fan.is_empty() {
@@ -247,7 +249,7 @@ struct FlatTriangle {
 
 impl FlatTriangle {
     /// Projects a triangle; [`None`] if it is seen from its edge.
-    fn new(colors: &BaseColors, triangle: &ShownTriangle, plane: (Vec3, Vec3)) -> Option<Self> {
+    fn new(colors: &BaseColors, triangle: &ShownTriangle, plane: [Vec3; 2]) -> Option<Self> {
         let [first, b, c] = triangle.points.map(|point| flat(point, plane));
         let (b, c) = (b - first, c - first);
         let doubled = b.perp_dot(c);
@@ -273,7 +275,7 @@ impl FlatTriangle {
 
 /// Position on a plane that is given by two orthogonal directions.
 #[inline]
-fn flat(point: Vec3, (x, y): (Vec3, Vec3)) -> Vec2 {
+fn flat(point: Vec3, [x, y]: [Vec3; 2]) -> Vec2 {
     Vec2::new(point.dot(x), point.dot(y))
 }
 

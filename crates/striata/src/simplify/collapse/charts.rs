@@ -25,7 +25,8 @@ const MAX_OVERLAP: f64 = 0.6;
 pub(in crate::simplify) fn atlas_unit_lengths(
     welded: &Welded,
     layer: &AttributeLayer,
-    (diagonal, scales): (f64, &[[f32; 2]]),
+    diagonal: f64,
+    scales: &[[f32; 2]],
 ) -> Vec<f32> {
     let mesh = &welded.mesh;
     let mut lengths = vec![0.0; mesh.vertex_count()];
@@ -186,7 +187,7 @@ mod tests {
         };
         mesh.layers.push(layer);
         let welded = weld(&mesh).expect("the mesh is valid");
-        atlas_unit_lengths(&welded, &welded.mesh.layers[0], (welded.mesh.diagonal(), &[]))
+        atlas_unit_lengths(&welded, &welded.mesh.layers[0], welded.mesh.diagonal(), &[])
     }
 
     #[test]

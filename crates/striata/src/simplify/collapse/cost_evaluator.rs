@@ -433,7 +433,7 @@ impl<'a> CostEvaluator<'a> {
         }
         if let CostHistory::Tracked(tracker) = &self.history {
             self.star.mark_vanishing(Some(k));
-            cost += tracker.increase(&self.star, k, (v, distance_squared));
+            cost += tracker.increase(&self.star, k, v, distance_squared);
         }
         cost += attributes;
         if self.attributes.as_ref().is_some_and(AttributeSpace::has_colors) {

@@ -76,7 +76,8 @@ impl CollapseExecutor {
     pub(in crate::simplify) fn witness_distance_before(
         &self,
         evaluator: &mut CostEvaluator<'_>,
-        (v, u): (u32, u32),
+        v: u32,
+        u: u32,
         own: f32,
     ) -> Option<f32> {
         let vertex = self.witnesses.possible_worst(v, own)?;
@@ -141,7 +142,7 @@ impl CollapseExecutor {
         let mut worst = self.witnesses.collapse(evaluator, (v, choice.target), &self.ring, own);
         if evaluator.has_relaxed() {
             evaluator.followers_into(choice.target, MIN_FOLLOWERS, &mut self.gone);
-            worst = self.witnesses.remeasure(evaluator, (&self.gone, &[]), choice.target);
+            worst = self.witnesses.remeasure(evaluator, &self.gone, &[], choice.target);
         }
         let protrusion = reported_protrusion(&evaluator.positions, v, choice);
         if !evaluator.measures_outward() {
@@ -172,16 +173,15 @@ impl CollapseExecutor {
         self.gone.push(v);
         self.gone.push(choice.target);
         self.gone.extend(lost.iter().copied().filter(|&p| p != choice.target));
-        let gone = (self.gone.as_slice(), self.points.as_slice());
-        self.witnesses.remeasure(evaluator, gone, host);
+        self.witnesses.remeasure(evaluator, &self.gone, &self.points, host);
         evaluator.followers_into(host, 0, &mut self.gone);
-        let worst = self.witnesses.remeasure(evaluator, (&self.gone, points), host);
+        let worst = self.witnesses.remeasure(evaluator, &self.gone, points, host);
         if !evaluator.measures_outward() {
             return worst.max(reported_protrusion(&evaluator.positions, v, choice));
         }
         let outward = match choice.kind {
             CollapseKind::Link | CollapseKind::Fold => {
-                evaluator.outward_distance_after((v, choice.target), choice, worst)
+                evaluator.outward_distance_after(v, choice.target, choice, worst)
             }
             CollapseKind::Strict | CollapseKind::Fin | CollapseKind::Remnant | CollapseKind::Vanish => {
                 choice.outward

@@ -56,7 +56,7 @@ impl CostEvaluator<'_> {
             }
             self.links.edges_into(h, &mut edges);
             for to in [u, v] {
-                if let Some(score) = self.growth((h, to), &edges, gain)
+                if let Some(score) = self.growth(h, to, &edges, gain)
                     && best.is_none_or(|(least, ..)| score < least)
                 {
                     best = Some((score, h, to));
@@ -94,7 +94,7 @@ impl CostEvaluator<'_> {
 
     /// Penalty for moving `h`, whose triangles have these opposite edges, to `to` if the part should
     /// gain the area `gain`; `None` if a triangle would turn or the area would shrink.
-    fn growth(&self, (h, to): (u32, u32), edges: &[LinkEdge], gain: f32) -> Option<f32> {
+    fn growth(&self, h: u32, to: u32, edges: &[LinkEdge], gain: f32) -> Option<f32> {
         let (mut before, mut after, mut longest) = (0.0, 0.0, 0.0f32);
         let [from, to_at] = [h, to].map(|p| self.at(p));
         for e in edges {

@@ -91,12 +91,13 @@ impl CostEvaluator<'_> {
     /// leave, if it may exceed the largest error so far; `worst` is the square of that error.
     pub(in crate::simplify) fn outward_distance_before(
         &mut self,
-        (v, u): (u32, u32),
+        v: u32,
+        u: u32,
         protrusion: f32,
         worst: f32,
     ) -> Option<f32> {
         let Self { relaxed: Some(relaxed), links, positions, .. } = self else { return None };
-        let bound = relaxed.outward.bound_after(v, protrusion, (worst, positions.len()));
+        let bound = relaxed.outward.bound_after(v, protrusion, worst, positions.len());
         if bound * bound <= worst {
             return None;
         }
@@ -117,9 +118,7 @@ impl CostEvaluator<'_> {
         let Self { relaxed: Some(relaxed), positions, .. } = self else { return };
         let bound = match choice.outward {
             Some(measured) => measured,
-            None => {
-                relaxed.outward.bound_after(v, choice.protrusion_bound_squared(), (worst, positions.len()))
-            }
+            None => relaxed.outward.bound_after(v, choice.protrusion_bound_squared(), worst, positions.len()),
         };
         relaxed.outward.note(u, ring, bound);
     }
@@ -128,13 +127,13 @@ impl CostEvaluator<'_> {
     /// it, if it may exceed the largest error so far; `worst` is the square of that error.
     pub(in crate::simplify) fn outward_distance_after(
         &mut self,
-        (v, u): (u32, u32),
+        v: u32,
+        u: u32,
         choice: &CollapseChoice,
         worst: f32,
     ) -> Option<f32> {
         let Self { relaxed: Some(relaxed), links, positions, .. } = self else { return None };
-        let bound =
-            relaxed.outward.bound_after(v, choice.protrusion_bound_squared(), (worst, positions.len()));
+        let bound = relaxed.outward.bound_after(v, choice.protrusion_bound_squared(), worst, positions.len());
         if bound * bound <= worst {
             return None;
         }
@@ -196,7 +195,7 @@ impl CostEvaluator<'_> {
             generation: relaxed.generation,
         };
         if let Some(estimate) = relaxed.parts.vanish(part, &context) {
-            relaxed.parts.corners_into(part, (relaxed.welded, positions), &mut lost_positions.points);
+            relaxed.parts.corners_into(part, relaxed.welded, positions, &mut lost_positions.points);
             lost_positions.host = Some(find(&mut relaxed.current, estimate.host));
         }
     }

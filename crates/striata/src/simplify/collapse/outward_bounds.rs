@@ -46,7 +46,8 @@ impl OutwardBounds {
         &mut self,
         v: u32,
         protrusion_squared: f32,
-        (worst, position_count): (f32, usize),
+        worst: f32,
+        position_count: usize,
     ) -> f32 {
         if self.bounds.is_empty() {
             // All earlier collapses stayed within the error so far.
@@ -83,7 +84,7 @@ impl OutwardBounds {
                 let bound = corners.iter().map(|c| c.distance_squared(from)).fold(f32::INFINITY, f32::min);
                 if bound > farthest {
                     farthest =
-                        farthest.max(distance_squared_from(original, positions, from, (bound, farthest)));
+                        farthest.max(distance_squared_from(original, positions, from, bound, farthest));
                 }
             }
         }
@@ -105,7 +106,8 @@ fn distance_squared_from(
     snapshot: &SurfaceSnapshot,
     positions: &[[f32; 4]],
     from: Vec3,
-    (known, enough): (f32, f32),
+    known: f32,
+    enough: f32,
 ) -> f32 {
     let mut least = known;
     snapshot.visit_near(from, least, |triangle| {
@@ -158,9 +160,9 @@ mod tests {
     #[test]
     fn bounds_add_up_until_they_are_measured() {
         let mut outward = OutwardBounds::default();
-        assert_eq!(outward.bound_after(1, 4.0, (0.0, 3)), 2.0);
+        assert_eq!(outward.bound_after(1, 4.0, 0.0, 3), 2.0);
         outward.note(1, &[2], 2.0);
-        assert_eq!(outward.bound_after(2, 1.0, (0.0, 3)), 3.0);
-        assert_eq!(outward.bound_after(0, 1.0, (0.0, 3)), 1.0);
+        assert_eq!(outward.bound_after(2, 1.0, 0.0, 3), 3.0);
+        assert_eq!(outward.bound_after(0, 1.0, 0.0, 3), 1.0);
     }
 }

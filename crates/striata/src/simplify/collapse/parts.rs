@@ -357,7 +357,8 @@ impl MeshParts {
     pub(in crate::simplify) fn corners_into(
         &self,
         part: u32,
-        (welded, positions): (&Welded, &[[f32; 4]]),
+        welded: &Welded,
+        positions: &[[f32; 4]],
         out: &mut Vec<Vec3>,
     ) {
         let part_triangles = self.triangles_of(part);
@@ -430,8 +431,10 @@ fn difference_squared(context: &MeasuringContext<'_>, sample: &PartSample, found
     let turned = NORMAL_WEIGHT * normal.distance_squared(sample.normal);
     let attributes = context.attributes.map_or(0.0, |space| {
         space.points_difference_squared(
-            (sample.vertices, sample.weights),
-            (found.triangle.vertices, found.weights),
+            sample.vertices,
+            sample.weights,
+            found.triangle.vertices,
+            found.weights,
         )
     });
     turned + attributes

@@ -89,7 +89,8 @@ impl CostEvaluator<'_> {
         &self,
         v: u32,
         u: u32,
-        (kind, distance_squared): (CollapseKind, f32),
+        kind: CollapseKind,
+        distance_squared: f32,
     ) -> bool {
         let Some(relaxed) = &self.relaxed else { return false };
         let entries = self.links.entries(v);
@@ -161,7 +162,7 @@ impl CostEvaluator<'_> {
         let increase = match &self.history {
             CostHistory::Tracked(tracker) => {
                 self.star.mark_vanishing(Some(k));
-                tracker.increase(&self.star, k, (v, choice.distance_squared))
+                tracker.increase(&self.star, k, v, choice.distance_squared)
             }
             _ => 0.0,
         };

@@ -208,10 +208,10 @@ impl<'a> Simplifier<'a> {
         }
         let worst = self.executor.worst_squared();
         let protrusion = self.protrusion_squared[v as usize];
-        let outward = self.evaluator.outward_distance_before((v, u), protrusion, worst).unwrap_or(UNMEASURED);
+        let outward = self.evaluator.outward_distance_before(v, u, protrusion, worst).unwrap_or(UNMEASURED);
         self.outward[v as usize] = outward;
         let own = self.distance_squared[v as usize];
-        let inward = self.executor.witness_distance_before(&mut self.evaluator, (v, u), own).unwrap_or(0.0);
+        let inward = self.executor.witness_distance_before(&mut self.evaluator, v, u, own).unwrap_or(0.0);
         let ahead = inward.max(outward.max(0.0) * outward);
         if ahead > worst {
             self.heap.set(v, key + self.evaluator.distance_cost(v, ahead));
@@ -224,7 +224,7 @@ impl<'a> Simplifier<'a> {
         let kind = choice.kind;
         let evaluator = &mut self.evaluator;
         if kind != CollapseKind::Strict {
-            return evaluator.is_relaxed_choice_valid(v, u, (kind, choice.distance_squared));
+            return evaluator.is_relaxed_choice_valid(v, u, kind, choice.distance_squared);
         }
         if evaluator.links.entries(v).contains(&u) {
             return evaluator.legality.allows(&evaluator.links, v, u)

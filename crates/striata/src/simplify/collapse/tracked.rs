@@ -56,7 +56,7 @@ impl Tracker {
 
     /// Returns how much collapsing the star's center `v` to neighbor `k` increases the weighted squared
     /// distances of the loaded vertices, at least 0; `own` is the squared distance of `v` from the fan.
-    pub(in crate::simplify) fn increase(&self, star: &Star, k: usize, (v, own): (u32, f32)) -> f32 {
+    pub(in crate::simplify) fn increase(&self, star: &Star, k: usize, v: u32, own: f32) -> f32 {
         let to = star.offset(k);
         let grown = |&(p, at): &(u32, Vec3)| {
             // If no triangle is left, the distance to the target counts.

@@ -120,7 +120,8 @@ impl Witnesses {
     pub(in crate::simplify) fn remeasure(
         &mut self,
         evaluator: &mut CostEvaluator<'_>,
-        (lost, points): (&[u32], &[Vec3]),
+        lost: &[u32],
+        points: &[Vec3],
         position: u32,
     ) -> f32 {
         for &p in lost {

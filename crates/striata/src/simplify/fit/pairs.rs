@@ -101,9 +101,9 @@ impl PairedSample {
     }
 
     /// Finds the partner on the other surface.
-    fn partner(&mut self, (own, other): (&FitSurface, &FitSurface), near: &mut usize) -> Option<FitPoint> {
+    fn partner(&mut self, own: &FitSurface, other: &FitSurface, near: &mut usize) -> Option<FitPoint> {
         let normal = own.normals[self.point.triangle as usize];
-        let found = other.nearest(own.at(self.point), normal, (near, self.last));
+        let found = other.nearest(own.at(self.point), normal, near, self.last);
         self.last = found.map(|point| point.triangle);
         found
     }
@@ -170,7 +170,7 @@ impl Pairing {
             let corners = self.original.triangles[sample.point.triangle as usize];
             let known = corners.iter().map(|&v| near_vertices[v as usize]).find(|&near| near != u32::MAX);
             let mut near = known.map_or(usize::MAX, |near| near as usize);
-            let Some(found) = sample.partner((&self.original, surface), &mut near) else { continue };
+            let Some(found) = sample.partner(&self.original, surface, &mut near) else { continue };
             corners.iter().for_each(|&v| near_vertices[v as usize] = found.triangle);
             near_triangles[found.triangle as usize] = sample.point.triangle;
             let target = self.original.at(sample.point);
@@ -178,7 +178,7 @@ impl Pairing {
         }
         for sample in &mut self.of_level {
             let mut near = near_triangles[sample.point.triangle as usize] as usize;
-            let Some(found) = sample.partner((surface, &self.original), &mut near) else { continue };
+            let Some(found) = sample.partner(surface, &self.original, &mut near) else { continue };
             near_triangles[sample.point.triangle as usize] = found.triangle;
             let area = surface.normals[sample.point.triangle as usize].length() / (2 * POINTS.len()) as f64;
             let target = self.original.at(found);

@@ -65,7 +65,8 @@ impl FitSurface {
         &self,
         point: DVec3,
         normal: DVec3,
-        (near, last): (&mut usize, Option<u32>),
+        near: &mut usize,
+        last: Option<u32>,
     ) -> Option<FitPoint> {
         let on = |triangle: usize| FitPoint {
             triangle: triangle as u32,
@@ -171,11 +172,11 @@ mod tests {
         let surface = FitSurface::new(&sheet).expect("a valid mesh");
         for (normal, expected) in [(DVec3::Z, 0), (DVec3::NEG_Z, 1)] {
             let mut near = usize::MAX;
-            let found = surface.nearest(DVec3::new(0.2, 0.2, 0.001), normal, (&mut near, None));
+            let found = surface.nearest(DVec3::new(0.2, 0.2, 0.001), normal, &mut near, None);
             assert_eq!(found.map(|point| point.triangle), Some(expected));
         }
         assert!(
-            surface.nearest(DVec3::new(0.2, 0.2, 0.001), DVec3::X, (&mut usize::MAX.clone(), None)).is_none()
+            surface.nearest(DVec3::new(0.2, 0.2, 0.001), DVec3::X, &mut usize::MAX.clone(), None).is_none()
         );
     }
 }

@@ -43,17 +43,17 @@ impl Blender {
             return;
         }
         for (layer, &rule) in layers.iter_mut().zip(&self.rules) {
-            blend_layer(layer, rule, (removed, kept), share);
+            blend_layer(layer, rule, removed, kept, share);
         }
     }
 }
 
-fn blend_layer(layer: &mut AttributeLayer, rule: BlendRule, (removed, kept): (u32, u32), share: f64) {
+fn blend_layer(layer: &mut AttributeLayer, rule: BlendRule, removed: u32, kept: u32, share: f64) {
     let n = layer.component_count as usize;
     let (from, to) = (removed as usize * n, kept as usize * n);
     let whole = |x: f64, y: f64| (x + (y - x) * share).round();
     match &mut layer.data {
-        LayerData::F32(data) if rule == BlendRule::Direction => mix_direction(data, n, (from, to), share),
+        LayerData::F32(data) if rule == BlendRule::Direction => mix_direction(data, n, from, to, share),
         LayerData::F32(data) if rule == BlendRule::Linear => {
             for i in 0..n {
                 data[to + i] = mix(data[to + i], data[from + i], share);
@@ -99,7 +99,7 @@ fn mix(x: f32, y: f32, share: f64) -> f32 {
     (x + (y - x) * share) as f32
 }
 
-fn mix_direction(data: &mut [f32], n: usize, (from, to): (usize, usize), share: f64) {
+fn mix_direction(data: &mut [f32], n: usize, from: usize, to: usize, share: f64) {
     let mixed: [f32; 3] = std::array::from_fn(|i| mix(data[to + i], data[from + i], share));
     let length = mixed.iter().map(|&x| f64::from(x) * f64::from(x)).sum::<f64>().sqrt();
     if share > 0.5 {

@@ -122,13 +122,13 @@ pub fn build_welded_placed_fragments_with_progress(
     let mut stop_reason = merger.run(options.sequence.base_triangle_count, progress)?;
     let (Some(log), targets) = merger.into_log() else { unreachable!("the merger was created with a log") };
     let step_count = steps_of(&log).count();
-    let PlacedMesh { mut fragmented, mut rows } = build_placed(&welded, (&log, &targets), step_count)?;
+    let PlacedMesh { mut fragmented, mut rows } = build_placed(&welded, &log, &targets, step_count)?;
     fragmented = certify_with_progress(&fragmented, progress)?;
     let limit = options.sequence.max_error.unwrap_or(f64::INFINITY);
     let beyond = fragmented.fragments.levels().split_count_for_error(limit);
     if beyond > 0 {
         stop_reason = StopReason::ErrorLimit;
-        PlacedMesh { fragmented, rows } = build_placed(&welded, (&log, &targets), step_count - beyond)?;
+        PlacedMesh { fragmented, rows } = build_placed(&welded, &log, &targets, step_count - beyond)?;
         fragmented = certify_with_progress(&fragmented, progress)?;
     }
     let source = |&row: &u32| welded.source_vertex.get(row as usize).copied();

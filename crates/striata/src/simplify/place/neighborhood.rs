@@ -178,7 +178,8 @@ impl PositionStar {
     pub(super) fn keeps_height_field(
         &self,
         field: &HeightField,
-        (v, other): (u32, u32),
+        v: u32,
+        other: u32,
         place: [f32; 2],
     ) -> bool {
         let corners = self.triangles.iter().map(|t| [t.a, t.b].map(|i| self.ids[i as usize]));

@@ -38,7 +38,8 @@ pub(super) fn steps_of(log: &MergeLog) -> impl Iterator<Item = &[LoggedMerge]> {
 /// [`FragmentError`] if the log contradicts the mesh.
 pub(super) fn build_placed(
     welded: &Welded,
-    (log, targets): (&MergeLog, &[u32]),
+    log: &MergeLog,
+    targets: &[u32],
     step_count: usize,
 ) -> Result<PlacedMesh, FragmentError> {
     let mut builder = PlacedBuilder::new(welded, targets);

@@ -69,7 +69,8 @@ fn one_way(evaluator: &mut CostEvaluator<'_>, from: u32, to: u32) -> Option<f64>
 /// attributes are to be interpolated.
 pub(super) fn merge_wedges(
     evaluator: &mut CostEvaluator<'_>,
-    (removed, kept): (u32, u32),
+    removed: u32,
+    kept: u32,
     targets: &mut [u32],
     pairs: &mut Vec<(u32, u32)>,
 ) {
@@ -95,7 +96,8 @@ pub(super) fn merge_wedges(
 pub(super) fn seam_weight(
     evaluator: &CostEvaluator<'_>,
     rule: SeamRule,
-    (v, triangles): (u32, [u32; 2]),
+    v: u32,
+    triangles: [u32; 2],
     along: DVec3,
 ) -> Option<f64> {
     let wedges = evaluator.wedges.as_ref().filter(|wedges| wedges.is_split(v))?;

@@ -335,7 +335,7 @@ fn write_records<N: RecordNumber>(
                 let mask = record.mask(step + 1, |step| shown.bit(step));
                 outputs.first.push_record(record, vertex, mask);
             } else {
-                write_entry(fans, shown, (vertex, step + 1), outputs);
+                write_entry(fans, shown, vertex, step + 1, outputs);
             }
         });
     } else {
@@ -360,7 +360,7 @@ fn write_vertex<N: RecordNumber>(
         let mask = record.mask(own_step, |step| shown.bit(step));
         outputs.of(fans.quick().group(vertex)).push_record(record, vertex, mask);
     } else {
-        write_entry(fans, shown, (vertex, own_step), outputs);
+        write_entry(fans, shown, vertex, own_step, outputs);
     }
 }
 
@@ -369,7 +369,8 @@ fn write_vertex<N: RecordNumber>(
 fn write_entry(
     fans: &Fans,
     shown: impl Collapsed,
-    (vertex, own_step): (u32, u32),
+    vertex: u32,
+    own_step: u32,
     outputs: &mut GroupOutputs<'_>,
 ) {
     for fan in fans.table.entry(vertex, own_step) {

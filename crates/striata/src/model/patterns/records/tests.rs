@@ -58,7 +58,7 @@ fn records_are_read_as_they_were_packed() {
                 assert_eq!(read(&records), drafts);
                 let (blocks, bits) = records.parts();
                 let bits = Bits::from_bytes(bits.as_bytes(), bits.len()).unwrap();
-                let again = Records::from_parts(count as usize, records.layout(), (blocks.to_vec(), bits));
+                let again = Records::from_parts(count as usize, records.layout(), blocks.to_vec(), bits);
                 assert_eq!(again.as_ref(), Ok(&records));
             }
         }
@@ -73,7 +73,7 @@ fn damaged_records_are_refused_or_stay_within_their_bits() {
     let mut refused = 0;
     let mut check = |blocks: Vec<u32>, bytes: &[u8]| {
         let Some(bits) = Bits::from_bytes(bytes, bits.len()) else { return };
-        match Records::from_parts(drafts.len(), records.layout(), (blocks, bits)) {
+        match Records::from_parts(drafts.len(), records.layout(), blocks, bits) {
             Ok(damaged) => drop(read(&damaged)),
             Err(_) => refused += 1,
         }

@@ -270,11 +270,11 @@ impl<'a> BatchSimplifier<'a> {
             return Some(choice);
         }
         let worst = self.executor.worst_squared();
-        let edge = (v, choice.target);
-        choice.outward = self.evaluator.outward_distance_before(edge, choice.protrusion_squared, worst);
+        let u = choice.target;
+        choice.outward = self.evaluator.outward_distance_before(v, u, choice.protrusion_squared, worst);
         let inward = self
             .executor
-            .witness_distance_before(&mut self.evaluator, edge, choice.distance_squared)
+            .witness_distance_before(&mut self.evaluator, v, u, choice.distance_squared)
             .unwrap_or(0.0);
         let ahead = inward.max(choice.outward.map_or(0.0, |outward| outward * outward));
         if ahead > worst {

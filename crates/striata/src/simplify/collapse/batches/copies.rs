@@ -67,8 +67,8 @@ fn layers_of_triangles(mesh: &IndexedMesh, adjacency: &Adjacency) -> Vec<u32> {
     let mut sheets = sheets(mesh, adjacency);
     let mut contacts = Vec::new();
     let mut place_count = 0;
-    add_copies(adjacency, &mut sheets, (&mut contacts, &mut place_count));
-    add_joints(mesh, adjacency, &mut sheets, (&mut contacts, &mut place_count));
+    add_copies(adjacency, &mut sheets, &mut contacts, &mut place_count);
+    add_joints(mesh, adjacency, &mut sheets, &mut contacts, &mut place_count);
     contacts.sort_unstable();
     contacts.dedup();
     let mut layers = vec![0; mesh.triangle_count()];
@@ -139,7 +139,8 @@ fn corners(adjacency: &Adjacency, triangle: u32) -> [u32; 3] {
 fn add_copies(
     adjacency: &Adjacency,
     sheets: &mut DisjointSets,
-    (contacts, place_count): (&mut Vec<Contact>, &mut u32),
+    contacts: &mut Vec<Contact>,
+    place_count: &mut u32,
 ) {
     let mut triangles: Vec<([u32; 3], u32)> =
         (0..adjacency.triangles().len() as u32).map(|t| (corners(adjacency, t), t)).collect();
@@ -158,7 +159,8 @@ fn add_joints(
     mesh: &IndexedMesh,
     adjacency: &Adjacency,
     sheets: &mut DisjointSets,
-    (contacts, place_count): (&mut Vec<Contact>, &mut u32),
+    contacts: &mut Vec<Contact>,
+    place_count: &mut u32,
 ) {
     let joints = strongest_joints(mesh);
     if joints.is_empty() {

@@ -183,11 +183,7 @@ impl BatchSimplifier<'_> {
     fn is_still_allowed(&mut self, v: u32, choice: &CollapseChoice) -> bool {
         let evaluator = &mut self.evaluator;
         if choice.kind != CollapseKind::Strict {
-            return evaluator.is_relaxed_choice_valid(
-                v,
-                choice.target,
-                (choice.kind, choice.distance_squared),
-            );
+            return evaluator.is_relaxed_choice_valid(v, choice.target, choice.kind, choice.distance_squared);
         }
         evaluator.links.entries(v).contains(&choice.target)
             && evaluator.legality.allows(&evaluator.links, v, choice.target)

@@ -174,7 +174,7 @@ impl Merger<'_> {
             let mean = edge.normal();
             if self.neighborhood.may_move(position, u, mean)
                 && self.other_neighborhood.may_move(position, v, mean)
-                && self.keeps_height_field((v, u), is_end.then_some(kept), position)
+                && self.keeps_height_field(v, u, is_end.then_some(kept), position)
             {
                 let left = self.neighborhood.distance_squared(position, u)
                     + self.other_neighborhood.distance_squared(position, v);
@@ -195,11 +195,11 @@ impl Merger<'_> {
 
     /// Whether merging `v` and `u` at a position, or at the end that stays where it is, leaves a height field if it
     /// must.
-    fn keeps_height_field(&self, (v, u): (u32, u32), end: Option<u32>, position: DVec3) -> bool {
+    fn keeps_height_field(&self, v: u32, u: u32, end: Option<u32>, position: DVec3) -> bool {
         self.evaluator.height_field.as_ref().is_none_or(|field| {
             let place = end.map_or_else(|| self.plan_of(position), |end| field.at(end));
-            self.neighborhood.keeps_height_field(field, (v, u), place)
-                && self.other_neighborhood.keeps_height_field(field, (u, v), place)
+            self.neighborhood.keeps_height_field(field, v, u, place)
+                && self.other_neighborhood.keeps_height_field(field, u, v, place)
         })
     }
 
@@ -227,7 +227,7 @@ fn gather_into(
     v: u32,
 ) {
     if evaluator.wedges.as_ref().is_some_and(|wedges| wedges.is_split(v)) {
-        let weight = |triangles: [u32; 2], along: DVec3| seam_weight(evaluator, seams, (v, triangles), along);
+        let weight = |triangles: [u32; 2], along: DVec3| seam_weight(evaluator, seams, v, triangles, along);
         neighborhood.gather(&evaluator.links, positions, v, Some(&weight));
     } else {
         neighborhood.gather(&evaluator.links, positions, v, None);

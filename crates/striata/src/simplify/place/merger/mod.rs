@@ -183,9 +183,7 @@ impl<'a> Merger<'a> {
         let is_valid = is_fresh
             && match choice.kind {
                 CollapseKind::Strict => legality.allows(links, removed, kept),
-                kind => {
-                    self.evaluator.is_relaxed_choice_valid(removed, kept, (kind, choice.distance_squared))
-                }
+                kind => self.evaluator.is_relaxed_choice_valid(removed, kept, kind, choice.distance_squared),
             };
         if !is_valid {
             self.choices[v as usize] = NO_CHOICE;
@@ -225,14 +223,14 @@ impl<'a> Merger<'a> {
         self.ring.push(kept);
         let share = self.edge_share(removed, kept, position);
         let old_position = self.positions[kept as usize];
-        merge_wedges(&mut self.evaluator, (removed, kept), &mut self.targets, &mut self.pairs);
+        merge_wedges(&mut self.evaluator, removed, kept, &mut self.targets, &mut self.pairs);
         let count = |evaluator: &CostEvaluator<'_>, p| evaluator.links.triangle_count(p);
         let before = count(&self.evaluator, removed) + count(&self.evaluator, kept);
         self.evaluator.links.collapse(removed, kept);
         self.move_to(kept, position);
         // Each removed triangle was in both links.
         let removed_triangles = (before - count(&self.evaluator, kept)) / 2;
-        self.note_changes((removed, kept), kind, removed_triangles);
+        self.note_changes(removed, kept, kind, removed_triangles);
         self.triangle_count -= removed_triangles;
         for &p in self.gone.iter().filter(|&&p| p != kept || self.evaluator.links.triangle_count(kept) == 0) {
             self.removed_count += 1;
@@ -240,11 +238,11 @@ impl<'a> Merger<'a> {
         }
         self.removed.push(removed);
         self.pairs.iter().for_each(|&(from, to)| self.blender.blend(&mut self.layers, from, to, share));
-        self.log_merge((removed, kept), position != old_position);
+        self.log_merge(removed, kept, position != old_position);
         self.update_ring();
     }
 
-    fn log_merge(&mut self, (removed, kept): (u32, u32), is_moved: bool) {
+    fn log_merge(&mut self, removed: u32, kept: u32, is_moved: bool) {
         let Some(log) = &mut self.log else { return };
         let is_lost = self.evaluator.links.triangle_count(kept) == 0;
         let moved = is_moved.then(|| {
@@ -312,7 +310,7 @@ impl<'a> Merger<'a> {
     }
 
     /// Tells the evaluator about a collapse, and leaves the positions that are gone in `gone`.
-    fn note_changes(&mut self, (removed, kept): (u32, u32), kind: CollapseKind, removed_triangles: usize) {
+    fn note_changes(&mut self, removed: u32, kept: u32, kind: CollapseKind, removed_triangles: usize) {
         let lost_positions =
             self.evaluator.note_collapse(removed, kept, removed_triangles, &self.removed_ring);
         self.gone.clear();
