@@ -115,7 +115,7 @@ impl FileBatch {
             match replaced {
                 Ok(old) => named.push((target, old)),
                 Err(source) => {
-                    named.into_iter().rev().for_each(undo_rename);
+                    named.into_iter().rev().for_each(|(target, old)| undo_rename(target, old));
                     return Err(WriteError::Io { file: path.display().to_string(), source });
                 }
             }
@@ -125,7 +125,7 @@ impl FileBatch {
 }
 
 /// Undoes a rename if possible; the error that made it necessary is the one that is reported.
-fn undo_rename((target, old): (PathBuf, Option<TempPath>)) {
+fn undo_rename(target: PathBuf, old: Option<TempPath>) {
     let _ = match old {
         Some(old) => old.persist(&target).map_err(|error| error.error),
         None => fs::remove_file(&target),

@@ -103,7 +103,7 @@ pub fn encode_mesh(
         #[cfg(feature = "gltf")]
         Format::Gltf | Format::Glb => {
             let container =
-                crate::gltf::GltfContainer::new(format, options, folder_path, (&mut images, &mut warnings));
+                crate::gltf::GltfContainer::new(format, options, folder_path, &mut images, &mut warnings);
             crate::gltf::to_bytes(mesh, options, container)
         }
         #[cfg(feature = "vtk")]

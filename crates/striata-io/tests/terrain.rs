@@ -10,7 +10,7 @@ use tiff::encoder::{TiffEncoder, colortype};
 use tiff::tags::Tag;
 
 /// Writes a 16-bit GeoTIFF with samples ten units apart, whose upper left sample is at `corner`.
-fn write_tiff(path: &Path, (width, height): (u32, u32), corner: [f64; 2], heights: &[i16]) {
+fn write_tiff(path: &Path, width: u32, height: u32, corner: [f64; 2], heights: &[i16]) {
     let mut encoder = TiffEncoder::new(fs::File::create(path).unwrap()).unwrap();
     let mut image = encoder.new_image::<colortype::GrayI16>(width, height).unwrap();
     image.rows_per_strip(3).unwrap();
@@ -67,7 +67,7 @@ fn a_geotiff_has_a_vertex_per_sample() {
     let folder = TempDir::new().unwrap();
     let path = folder.path().join("a.tif");
     let heights: Vec<i16> = (0..7 * 11).map(|i| (i % 7) as i16 * 100).collect();
-    write_tiff(&path, (7, 11), [500.0, 900.0], &heights);
+    write_tiff(&path, 7, 11, [500.0, 900.0], &heights);
     let source = open_pieces(&path, &PieceOptions::default().with_z_scale(2.0)).unwrap();
     let pieces = all(source.as_ref());
     assert_eq!(triangles(&pieces) as u64, source.summary().triangle_count);
@@ -88,7 +88,7 @@ fn samples_without_heights_are_holes() {
     let mut heights = vec![5i16; 25];
     heights[12] = -9999;
     heights[0] = -9999;
-    write_tiff(&path, (5, 5), [0.0, 0.0], &heights);
+    write_tiff(&path, 5, 5, [0.0, 0.0], &heights);
     let pieces = all(open_pieces(&path, &PieceOptions::default()).unwrap().as_ref());
     // Each of the four quads around the middle, and the one at the corner, keeps one triangle.
     assert_eq!(triangles(&pieces), 32 - 5);
@@ -100,8 +100,8 @@ fn several_rasters_are_one_surface_whether_or_not_they_share_samples() {
     let folder = TempDir::new().unwrap();
     for shared in [0, 1u32] {
         let (left, right) = (folder.path().join("l.tif"), folder.path().join("r.tif"));
-        write_tiff(&left, (300, 20), [0.0, 0.0], &vec![1; 6000]);
-        write_tiff(&right, (300, 20), [f64::from(300 - shared) * 10.0, 0.0], &vec![1; 6000]);
+        write_tiff(&left, 300, 20, [0.0, 0.0], &vec![1; 6000]);
+        write_tiff(&right, 300, 20, [f64::from(300 - shared) * 10.0, 0.0], &vec![1; 6000]);
         let source = open_all(&[left, right], &PieceOptions::default()).unwrap();
         let pieces = all(source.as_ref());
         let width = (600 - shared) as usize;
@@ -114,8 +114,8 @@ fn several_rasters_are_one_surface_whether_or_not_they_share_samples() {
 fn rasters_of_different_grids_are_refused() {
     let folder = TempDir::new().unwrap();
     let (a, b) = (folder.path().join("a.tif"), folder.path().join("b.tif"));
-    write_tiff(&a, (4, 4), [0.0, 0.0], &[1; 16]);
-    write_tiff(&b, (4, 4), [44.0, 0.0], &[1; 16]);
+    write_tiff(&a, 4, 4, [0.0, 0.0], &[1; 16]);
+    write_tiff(&b, 4, 4, [44.0, 0.0], &[1; 16]);
     let text = message(open_all(&[a, b.clone()], &PieceOptions::default()));
     assert!(text.contains("b.tif") && text.contains("between"), "{text}");
 }
@@ -160,7 +160,7 @@ fn gray_images_are_heights() {
 fn damaged_rasters_are_errors() {
     let folder = TempDir::new().unwrap();
     let path = folder.path().join("a.tif");
-    write_tiff(&path, (40, 40), [0.0, 0.0], &vec![7; 1600]);
+    write_tiff(&path, 40, 40, [0.0, 0.0], &vec![7; 1600]);
     let bytes = fs::read(&path).unwrap();
     for end in (0..bytes.len()).step_by(37) {
         fs::write(&path, &bytes[..end]).unwrap();
@@ -249,7 +249,7 @@ fn files_of_other_programs_are_read_as_meshes() {
 fn the_georeference_stays_with_the_mesh() {
     let folder = TempDir::new().unwrap();
     let raster = folder.path().join("dem.tif");
-    write_tiff(&raster, (4, 3), [500_000.0, 5_600_000.0], &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]);
+    write_tiff(&raster, 4, 3, [500_000.0, 5_600_000.0], &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]);
     let mesh = striata_io::read(&raster).unwrap();
     let place: serde_json::Value = serde_json::from_str(&mesh.appearance.georeference).unwrap();
     assert_eq!(place["epsg"], 32633);

@@ -43,7 +43,7 @@ impl LevelWalk {
 
     /// Walks to the point nearest to a vertex, and returns its squared distance; stops at any that is no farther than
     /// the squared distance `enough`. [`None`] if nothing of the level is known to be near.
-    pub(crate) fn nearest(&mut self, positions: &[[f32; 3]], (vertex, enough): (u32, f64)) -> Option<f64> {
+    pub(crate) fn nearest(&mut self, positions: &[[f32; 3]], vertex: u32, enough: f64) -> Option<f64> {
         let Self { triangles, hints, rings } = self;
         let at = |vertex: u32| DVec3::from_array(positions[vertex as usize].map(f64::from));
         let hint = &mut hints[vertex as usize];

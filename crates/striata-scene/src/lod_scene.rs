@@ -90,7 +90,7 @@ impl LodScene {
                 finished.map_err(|error| BuildError::new(index, name(), error))?;
                 continue;
             }
-            let built = simplifier.lod((index, mesh), options, &mut |now| progress.report(now));
+            let built = simplifier.lod(index, mesh, options, &mut |now| progress.report(now));
             let built = built.and_then(|lod| progress.finish_mesh(mesh).map(|()| lod));
             let name = || scene.mesh_name(index).to_owned();
             lods.push(Some(built.map_err(|error| BuildError::new(index, name(), error))?));

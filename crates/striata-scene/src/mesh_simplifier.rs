@@ -42,7 +42,7 @@ impl<'s> MeshSimplifier<'s> {
         let [first, second] = meshes.map(|index| self.options(index, options).ok());
         let is_still = |index: usize| {
             let mesh = self.scene.meshes()[index].as_ref();
-            mesh.is_some_and(|mesh| self.deformation((index, mesh), options).is_none())
+            mesh.is_some_and(|mesh| self.deformation(index, mesh, options).is_none())
         };
         first.is_some() && first == second && meshes.into_iter().all(is_still)
     }
@@ -53,26 +53,27 @@ impl<'s> MeshSimplifier<'s> {
     /// [`SimplifyError`] if the mesh is inconsistent, an option is out of range, or the callback cancels.
     pub(crate) fn lod(
         &self,
-        (index, mesh): (usize, &IndexedMesh),
+        index: usize,
+        mesh: &IndexedMesh,
         options: &LodOptions,
         progress: &mut ProgressFn<'_>,
     ) -> Result<Lod, SimplifyError> {
         let sequence = self.options(index, &options.sequence)?;
-        let Some(deformation) = self.deformation((index, mesh), &sequence) else {
+        let Some(deformation) = self.deformation(index, mesh, &sequence) else {
             return Lod::build_with_progress(mesh, &options.clone().with_sequence(sequence), progress);
         };
         let mesh = with_layers(mesh, &deformation);
         let stages = if options.has_guaranteed_errors { 3 } else { 2 };
         let mut refinable =
-            build_sequence_with_progress(&mesh, &sequence, &mut stage(progress, (0, stages)))?.refinable;
+            build_sequence_with_progress(&mesh, &sequence, &mut stage(progress, 0, stages))?.refinable;
         drop(mesh);
         deformation.remove_layers(&mut refinable.mesh);
         if options.has_guaranteed_errors {
             refinable =
-                certify_collapses_in_any_state_with_progress(&refinable, &mut stage(progress, (1, stages)))?;
+                certify_collapses_in_any_state_with_progress(&refinable, &mut stage(progress, 1, stages))?;
         }
         let refinable =
-            deformation.finish_with_progress(refinable, &mut stage(progress, (stages - 1, stages)))?;
+            deformation.finish_with_progress(refinable, &mut stage(progress, stages - 1, stages))?;
         let first = first_level(&refinable, &sequence);
         let refinable = if first > 0 { refinable.without_levels_below(first) } else { refinable };
         Ok(match options.has_guaranteed_errors {
@@ -87,22 +88,23 @@ impl<'s> MeshSimplifier<'s> {
     /// [`SimplifyError`] if the mesh is inconsistent, an option is out of range, or the callback cancels.
     pub(crate) fn batches(
         &self,
-        (index, mesh): (usize, &IndexedMesh),
+        index: usize,
+        mesh: &IndexedMesh,
         options: &BatchOptions,
         progress: &mut ProgressFn<'_>,
     ) -> Result<BuiltBatches, SimplifyError> {
         let sequence = self.options(index, &options.sequence)?;
         let options = options.clone().with_sequence(sequence);
-        let Some(deformation) = self.deformation((index, mesh), &options.sequence) else {
+        let Some(deformation) = self.deformation(index, mesh, &options.sequence) else {
             return build_batches_with_progress(mesh, &options, progress);
         };
         let mut built = build_batches_with_progress(
             &with_layers(mesh, &deformation),
             &options,
-            &mut stage(progress, (0, 2)),
+            &mut stage(progress, 0, 2),
         )?;
         let refinable =
-            deformation.finish_with_progress(built.built.refinable, &mut stage(progress, (1, 2)))?;
+            deformation.finish_with_progress(built.built.refinable, &mut stage(progress, 1, 2))?;
         let refinable = with_errors_of_batches(refinable, &built.batches);
         let first = first_level(&refinable, &options.sequence);
         built.batches.retain(|&start| start as usize >= first);
@@ -114,7 +116,8 @@ impl<'s> MeshSimplifier<'s> {
     /// Returns the poses to simplify a mesh for, if any and if they have a weight.
     fn deformation(
         &self,
-        (index, mesh): (usize, &IndexedMesh),
+        index: usize,
+        mesh: &IndexedMesh,
         options: &SequenceOptions,
     ) -> Option<Deformation<'_>> {
         let has_weight = options.attribute_weights.displacement > 0.0;
@@ -174,7 +177,8 @@ impl MeshSimplifier<'_> {
 /// Returns a callback for one of several stages, each of which reports progress from its own beginning.
 pub(crate) fn stage(
     progress: &mut ProgressFn<'_>,
-    (index, count): (u64, u64),
+    index: u64,
+    count: u64,
 ) -> impl FnMut(Progress) -> ControlFlow<()> {
     move |now| {
         let done = now.done.min(now.total).saturating_add(index.saturating_mul(now.total));

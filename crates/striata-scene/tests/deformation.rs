@@ -62,7 +62,8 @@ fn poses(poser: &Poser, instance: &SceneInstance, mesh: &IndexedMesh) -> Vec<(St
 /// scale.
 fn posed_distance(
     poser: &Poser,
-    (pose, instance): (&Pose, &SceneInstance),
+    pose: &Pose,
+    instance: &SceneInstance,
     full: &IndexedMesh,
     level: &IndexedMesh,
 ) -> f64 {
@@ -85,7 +86,7 @@ fn first_violation(scene: &Scene, lods: &[(usize, Lod)]) -> Option<String> {
                 let shown = shown(lod, &level);
                 let limit = f64::from(level.error()) * (1.0 + 1e-6) + 1e-6 * full.diagonal();
                 for (name, pose) in poses(&poser, instance, full) {
-                    let distance = posed_distance(&poser, (&pose, instance), full, &shown);
+                    let distance = posed_distance(&poser, &pose, instance, full, &shown);
                     if distance > limit {
                         return Some(format!("mesh {index}, {share} %, {name}: {distance} > {limit}"));
                     }
@@ -160,7 +161,7 @@ fn a_straight_tube_keeps_rings_to_bend_at() {
     let bent = poser.pose(0, poser.duration(0));
     let distance_of = |lod: &Lod| {
         let level = lod.level(Target::Triangles(lod.mesh().triangle_count() / 10));
-        posed_distance(&poser, (&bent, instance), lod.mesh(), &shown(lod, &level))
+        posed_distance(&poser, &bent, instance, lod.mesh(), &shown(lod, &level))
     };
     let ours = distance_of(build(&scene).lods()[0].as_ref().unwrap());
     let plain = Lod::build(scene.meshes()[0].as_ref().unwrap(), &LodOptions::default()).unwrap();
@@ -194,7 +195,7 @@ fn levels_of_streams_bend_too() {
     for decoded in [streamed, from_glb] {
         let distance_and_error = |lod: &Lod, share: usize| {
             let level = lod.level(Target::Triangles(lod.mesh().triangle_count() * share / 100));
-            let distance = posed_distance(&poser, (&bent, instance), lod.mesh(), &shown(lod, &level));
+            let distance = posed_distance(&poser, &bent, instance, lod.mesh(), &shown(lod, &level));
             (distance, f64::from(level.error()))
         };
         let ours = decoded(&scene, SequenceOptions::default());

@@ -23,7 +23,7 @@ impl BuiltArrays {
     /// Positions and layers of all vertices.
     pub fn vertices(&self) -> Vertices {
         let mesh = &self.refinable.mesh;
-        Vertices::new(&mesh.positions, &mesh.layers, (0, mesh.appearance.color_space))
+        Vertices::new(&mesh.positions, &mesh.layers, 0, mesh.appearance.color_space)
     }
 
     /// First vertex of each position, followed by the number of vertices.

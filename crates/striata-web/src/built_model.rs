@@ -162,7 +162,7 @@ impl Leveled for BuiltModel {
     fn vertices(&self, first: usize) -> Vertices {
         let mesh = &self.refinable.mesh;
         let first = first.min(mesh.vertex_count());
-        Vertices::new(&mesh.positions[first..], &mesh.layers, (first, mesh.appearance.color_space))
+        Vertices::new(&mesh.positions[first..], &mesh.layers, first, mesh.appearance.color_space)
     }
 
     fn show(&mut self, request: LevelRequest) -> ShownLevel {

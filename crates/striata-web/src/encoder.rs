@@ -33,13 +33,14 @@ pub fn encode_file(
     sink: &Sink,
 ) -> Result<Vec<u8>, Failure> {
     let mut progress = reporter(sink);
-    encode(bytes, name, (format, triangles), &mut progress)
+    encode(bytes, name, format, triangles, &mut progress)
 }
 
 fn encode(
     bytes: Vec<u8>,
     name: &str,
-    (format, triangles): (&str, u32),
+    format: &str,
+    triangles: u32,
     progress: &mut ProgressFn<'_>,
 ) -> Result<Vec<u8>, Failure> {
     limits::check_file(bytes.len())?;
@@ -130,7 +131,7 @@ mod tests {
     use super::*;
 
     fn encoded(bytes: &[u8], name: &str, format: &str) -> Result<Vec<u8>, Failure> {
-        encode(bytes.to_vec(), name, (format, 300), &mut ignore_progress)
+        encode(bytes.to_vec(), name, format, 300, &mut ignore_progress)
     }
 
     fn triangle_count(bytes: &[u8], name: &str) -> usize {

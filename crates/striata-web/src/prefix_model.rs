@@ -128,7 +128,7 @@ impl Leveled for PrefixModel {
     fn vertices(&self, first: usize) -> Vertices {
         let first = first.min(self.vertex_count());
         // These are the arrays of a page, whose colors are light.
-        Vertices::new(&self.positions[first..], &self.layers, (first, ColorSpace::Linear))
+        Vertices::new(&self.positions[first..], &self.layers, first, ColorSpace::Linear)
     }
 
     fn smooth_normals(&self) -> Vec<[f32; 3]> {

@@ -184,7 +184,7 @@ impl Leveled for StreamedModel {
         let first = first.min(count);
         self.source.read(|decoder| {
             let layers = decoder.layers_of(first..count);
-            Vertices::new(&decoder.positions()[first..count], &layers, (0, decoder.color_space()))
+            Vertices::new(&decoder.positions()[first..count], &layers, 0, decoder.color_space())
         })
     }
 

@@ -55,7 +55,8 @@ impl Vertices {
     pub(crate) fn new(
         positions: &[[f32; 3]],
         layers: &[AttributeLayer],
-        (skipped, color_space): (usize, ColorSpace),
+        skipped: usize,
+        color_space: ColorSpace,
     ) -> Self {
         let layers = layers.iter().filter(|layer| layer.component_count > 0);
         Self {
@@ -193,7 +194,7 @@ mod tests {
         let joints =
             AttributeLayer { semantic: Semantic::Joints(1), component_count: 4, normalized: false, data };
         let layers = [joints, AttributeLayer::from_f32(Semantic::MorphPosition(3), 3, vec![0.5; 6])];
-        let mut vertices = Vertices::new(&[[0.0; 3]], &layers, (1, ColorSpace::Linear));
+        let mut vertices = Vertices::new(&[[0.0; 3]], &layers, 1, ColorSpace::Linear);
         let names: Vec<String> = (0..vertices.layer_count())
             .filter_map(|_| vertices.take_layer())
             .map(|layer| format!("{} {} {}", layer.name(), layer.component_type(), layer.bytes().len()))

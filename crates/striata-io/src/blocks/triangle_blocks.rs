@@ -57,7 +57,7 @@ impl TriangleBlocks {
             // Vertices that are no points: the file cannot be read in place.
             Err(_) => BinaryPly::repaired(path, &scratch).and_then(bounded)?,
         };
-        Self::cut((ply, bounds), block_triangles, scratch)
+        Self::cut(ply, bounds, block_triangles, scratch)
     }
 
     /// Cuts pieces into blocks, as [`open`](Self::open) does with a file.
@@ -72,12 +72,13 @@ impl TriangleBlocks {
         scratch: &Path,
     ) -> Result<Self, ReadError> {
         let scratch = ScratchFolder { folder: scratch.to_owned() };
-        let bounded = BinaryPly::of_pieces(pieces, &scratch).and_then(bounded)?;
-        Self::cut(bounded, block_triangles, scratch)
+        let (ply, bounds) = BinaryPly::of_pieces(pieces, &scratch).and_then(bounded)?;
+        Self::cut(ply, bounds, block_triangles, scratch)
     }
 
     fn cut(
-        (ply, bounds): (BinaryPly, Option<Bounds>),
+        ply: BinaryPly,
+        bounds: Option<Bounds>,
         block_triangles: usize,
         scratch: ScratchFolder,
     ) -> Result<Self, ReadError> {

@@ -185,7 +185,7 @@ impl<'a> AssemblyPlan<'a> {
         let (block, primitive) = match self.block_of.get(&key) {
             Some(&block) => (block, Some(primitive)),
             None => {
-                self.add_block(document, primitive, (transform, pose))?;
+                self.add_block(document, primitive, transform, pose)?;
                 self.block_of.insert(key, self.blocks.len() - 1);
                 (self.blocks.len() - 1, None)
             }
@@ -208,7 +208,8 @@ impl<'a> AssemblyPlan<'a> {
         &mut self,
         document: &GltfDocument<'_>,
         primitive: Primitive<'a>,
-        (transform, pose): (Option<Transform>, RestPose),
+        transform: Option<Transform>,
+        pose: RestPose,
     ) -> Result<(), Fault> {
         let shape_of =
             |semantic: Option<&Semantic>, index| Ok(primitive.data(document, semantic, index)?.shape);
@@ -216,7 +217,7 @@ impl<'a> AssemblyPlan<'a> {
         // All replacements of sparse accessors would be looked at for each block.
         let mut corner_count = if primitive.positions(document)?.sparse.is_some() { u64::MAX } else { 0 };
         for &(ref semantic, index) in &primitive.attributes {
-            if primitive.attribute(document, (semantic, index))?.sparse.is_some() {
+            if primitive.attribute(document, semantic, index)?.sparse.is_some() {
                 corner_count = u64::MAX;
             }
         }
@@ -332,7 +333,7 @@ impl<'a> AssemblyPlan<'a> {
                 let own = block.primitive.attributes.iter().find(|(s, _)| s == semantic);
                 match own {
                     Some(&(_, index)) => {
-                        let accessor = block.primitive.attribute(document, (semantic, index))?;
+                        let accessor = block.primitive.attribute(document, semantic, index)?;
                         block.read(&accessor, |own| append(&mut layer, own, block.transform.as_ref()));
                     }
                     None => fill(&mut layer, block.vertex_count),
@@ -372,11 +373,11 @@ impl<'a> AssemblyPlan<'a> {
             let first_vertex = block.first_vertex as u32;
             match &block.elements {
                 None => {
-                    let vertices = (first_vertex, block.element_count);
-                    primitive.triangles_into(document, vertices, &mut mesh.triangles)?;
+                    let count = block.element_count;
+                    primitive.triangles_into(document, first_vertex, count, &mut mesh.triangles)?;
                 }
                 Some(elements) => {
-                    primitive.triangles_into(document, (0, block.element_count), &mut mesh.triangles)?;
+                    primitive.triangles_into(document, 0, block.element_count, &mut mesh.triangles)?;
                     let number = |v: u32| elements.binary_search(&v).map_or(0, |found| found as u32);
                     let own = &mut mesh.triangles[first..];
                     own.iter_mut().for_each(|t| *t = t.map(|v| first_vertex + number(v)));

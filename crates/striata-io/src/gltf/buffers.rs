@@ -53,7 +53,7 @@ impl<B: Deref<Target = [u8]> + From<Vec<u8>>> Buffers<B> {
             let place = match known.get(uri) {
                 Some(&place) => place,
                 None => {
-                    let bytes = buffers.bytes_of(at, uri, (&mut companions, &read))?;
+                    let bytes = buffers.bytes_of(at, uri, &mut companions, &read)?;
                     buffers.loaded.push(bytes);
                     known.insert(uri, buffers.loaded.len() - 1);
                     buffers.loaded.len() - 1
@@ -72,7 +72,8 @@ impl<B: Deref<Target = [u8]> + From<Vec<u8>>> Buffers<B> {
         &mut self,
         at: &JsonNode<'_>,
         uri: &str,
-        (companions, read): (&mut Companions<'_>, impl Fn(File) -> io::Result<B>),
+        companions: &mut Companions<'_>,
+        read: impl Fn(File) -> io::Result<B>,
     ) -> Result<B, Fault> {
         if let Some(data) = uri::data(uri) {
             return data.map(|(bytes, _)| bytes.into()).map_err(|reason| at.fault(reason));

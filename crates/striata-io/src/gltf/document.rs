@@ -59,8 +59,10 @@ impl<'a> GltfDocument<'a> {
     /// Joins a document, which takes `json_bytes` as text, with its buffers; `chunk` is the binary chunk of a
     /// GLB.
     pub(crate) fn new<B: Deref<Target = [u8]> + From<Vec<u8>>>(
-        (root, json_bytes): (&'a Value, usize),
-        (buffers, chunk): (&'a Buffers<B>, Option<&'a [u8]>),
+        root: &'a Value,
+        json_bytes: usize,
+        buffers: &'a Buffers<B>,
+        chunk: Option<&'a [u8]>,
         source: Source<'a>,
     ) -> Result<Self, Fault> {
         let root = JsonNode { value: root, path: String::new() };

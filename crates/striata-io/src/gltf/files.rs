@@ -29,7 +29,8 @@ impl<'f, 'm> GltfContainer<'f, 'm> {
         format: Format,
         options: &WriteOptions,
         path: Option<&'f Path>,
-        (images, warnings): (&'f mut ImageFiles<'m>, &'f mut Warnings),
+        images: &'f mut ImageFiles<'m>,
+        warnings: &'f mut Warnings,
     ) -> Self {
         match path {
             _ if format == Format::Glb => Self::Glb,

@@ -187,7 +187,7 @@ fn with_document<T>(
     let at = json::JsonNode { value: &root, path: String::new() };
     check_requirements(&at)?;
     let buffers = Buffers::load(&at, source, read_whole)?;
-    let document = GltfDocument::new((&root, json.len()), (&buffers, chunk), *source)?;
+    let document = GltfDocument::new(&root, json.len(), &buffers, chunk, *source)?;
     read(&document, warnings)
 }
 

@@ -84,7 +84,8 @@ impl<'a> Primitive<'a> {
     pub(crate) fn attribute<'d>(
         &self,
         document: &'d GltfDocument<'_>,
-        (semantic, index): (&Semantic, u64),
+        semantic: &Semantic,
+        index: u64,
     ) -> Result<Accessor<'d>, Fault> {
         self.data(document, Some(semantic), index)
     }
@@ -138,7 +139,8 @@ impl<'a> Primitive<'a> {
     pub(super) fn triangles_into(
         &self,
         document: &GltfDocument<'_>,
-        (first_vertex, vertex_count): (u32, usize),
+        first_vertex: u32,
+        vertex_count: usize,
         triangles: &mut Vec<[u32; 3]>,
     ) -> Result<(), Fault> {
         let indices = self.indices(document, vertex_count)?;

@@ -43,7 +43,7 @@ pub(super) fn scene_of(document: &GltfDocument<'_>, warnings: &mut Warnings) -> 
     let meshes: Vec<Option<IndexedMesh>> = meshes
         .iter()
         .zip(&numbers)
-        .map(|(mesh, numbers)| triangles_of(document, (mesh, numbers.as_deref()), &mut used_bytes, warnings))
+        .map(|(mesh, numbers)| triangles_of(document, mesh, numbers.as_deref(), &mut used_bytes, warnings))
         .collect::<Result<_, _>>()?;
     let is_geometry: Vec<bool> = meshes.iter().map(Option::is_some).collect();
     // An unknown extension may refer to accessors or buffer views by their numbers.
@@ -73,7 +73,8 @@ pub(super) fn scene_of(document: &GltfDocument<'_>, warnings: &mut Warnings) -> 
 /// Returns the mesh of all triangle primitives of a glTF mesh; [`None`] if they show nothing.
 fn triangles_of(
     document: &GltfDocument<'_>,
-    (mesh, numbers): (&JsonNode<'_>, Option<&str>),
+    mesh: &JsonNode<'_>,
+    numbers: Option<&str>,
     used_bytes: &mut u64,
     warnings: &mut Warnings,
 ) -> Result<Option<IndexedMesh>, Fault> {

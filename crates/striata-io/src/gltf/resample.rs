@@ -184,7 +184,7 @@ impl Track<'_> {
         let half = 0.5 * self.tolerance;
         let (mut start, mut is_constant) = (0, true);
         for key in 1..count {
-            is_constant &= is_near((self.value(start), self.value(key)), half);
+            is_constant &= is_near(self.value(start), self.value(key), half);
             let gap_is_fine = match self.between {
                 Between::Step => is_constant,
                 _ => is_constant || (key - start <= LONGEST_GAP && self.implies(start, key)),
@@ -197,7 +197,7 @@ impl Track<'_> {
             if kept.last() != Some(&start) {
                 kept.push(start);
             }
-            is_constant = is_near((self.value(start), self.value(key)), half);
+            is_constant = is_near(self.value(start), self.value(key), half);
         }
         // The last one tells how long the animation is.
         if kept.last() != Some(&(count - 1)) {
@@ -217,16 +217,16 @@ impl Track<'_> {
                 let arc = a.slerp(b, along);
                 // Opposite quaternions are the same rotation.
                 let arc = if arc.dot(found) < 0.0 { -arc } else { arc };
-                return is_near((&arc.to_array(), &found.to_array()), self.tolerance);
+                return is_near(&arc.to_array(), &found.to_array(), self.tolerance);
             }
             let found = self.value(key);
             let line: Vec<f32> = a.iter().zip(b).map(|(a, b)| a + (b - a) * along).collect();
-            is_near((&line, found), self.tolerance)
+            is_near(&line, found, self.tolerance)
         })
     }
 }
 
 /// Whether values are within a tolerance; false for NaN.
-fn is_near((a, b): (&[f32], &[f32]), tolerance: f32) -> bool {
+fn is_near(a: &[f32], b: &[f32], tolerance: f32) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= tolerance)
 }

@@ -125,9 +125,8 @@ impl RestPose {
                     }
                 }
             }
-            add_directions(mesh, (&Semantic::Normal, &Semantic::MorphNormal(target)), weight, range.clone());
-            let tangents = (&Semantic::Tangent, &Semantic::MorphTangent(target));
-            add_directions(mesh, tangents, weight, range.clone());
+            add_directions(mesh, &Semantic::Normal, &Semantic::MorphNormal(target), weight, range.clone());
+            add_directions(mesh, &Semantic::Tangent, &Semantic::MorphTangent(target), weight, range.clone());
         }
         if !self.morph_weights.is_empty() {
             for semantic in [Semantic::Normal, Semantic::Tangent] {
@@ -140,7 +139,8 @@ impl RestPose {
 /// Adds displacements, in proportion to a weight, to the directions of a layer.
 fn add_directions(
     mesh: &mut IndexedMesh,
-    (directions, deltas): (&Semantic, &Semantic),
+    directions: &Semantic,
+    deltas: &Semantic,
     weight: f32,
     range: Range<usize>,
 ) {

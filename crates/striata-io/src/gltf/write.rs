@@ -165,7 +165,7 @@ impl GltfBuilder {
 
     fn image(&mut self, image: &Image, index: usize) -> Result<Value, Refusal> {
         let mut value = image_entry(image);
-        self.image_source((index, image), &mut value);
+        self.image_source(index, image, &mut value);
         if value.get("bufferView").is_none() && value.get("uri").is_none() {
             return Err(Refusal::BadMesh(format!("image {index} has neither typed bytes nor a URI")));
         }
@@ -173,7 +173,7 @@ impl GltfBuilder {
     }
 
     /// Adds the bytes of an image, or its URI if there are none, to its entry.
-    pub(super) fn image_source(&mut self, (index, image): (usize, &Image), value: &mut Value) {
+    pub(super) fn image_source(&mut self, index: usize, image: &Image, value: &mut Value) {
         if !image.mime_type.is_empty() {
             value["mimeType"] = json!(image.mime_type);
         }

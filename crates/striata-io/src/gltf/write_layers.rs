@@ -66,7 +66,7 @@ pub(super) fn attributes(builder: &mut GltfBuilder, mesh: &IndexedMesh) -> Resul
             return Err(Refusal::Unsupported(format!("two layers are called {}", layer.semantic)));
         }
     }
-    fill_targets((builder, &mut sparse), &mut out.targets, mesh.positions.len());
+    fill_targets(builder, &mut sparse, &mut out.targets, mesh.positions.len());
     sparse.store(builder);
     Ok(out)
 }
@@ -129,7 +129,8 @@ impl SparseData {
 
 /// Fills in missing morph targets with zero displacements, because a target must not be empty.
 fn fill_targets(
-    (builder, sparse): (&mut GltfBuilder, &mut SparseData),
+    builder: &mut GltfBuilder,
+    sparse: &mut SparseData,
     targets: &mut [Value],
     vertex_count: usize,
 ) {

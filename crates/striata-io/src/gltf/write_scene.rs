@@ -54,8 +54,8 @@ fn document(
     let builder = GltfBuilder::continuing(scene.buffer().to_vec(), views, accessors);
     let mut builder = builder.with_image_uris(image_uris);
     put_meshes(&mut builder, &mut root, writer, options.has_cache_order())?;
-    for (entry, image) in entries(&mut root, "images").zip(scene.images().iter().enumerate()) {
-        builder.image_source(image, entry);
+    for (index, (entry, image)) in entries(&mut root, "images").zip(scene.images()).enumerate() {
+        builder.image_source(index, image, entry);
     }
     // Equal data, such as the streams of equal meshes, are attached once.
     let mut view_of: HashMap<&[u8], usize> = HashMap::new();

@@ -107,7 +107,7 @@ impl<'m> MaterialDraft<'m, '_, '_> {
     }
 
     /// Returns a reference to the texture of a file, with the options of its statement.
-    fn texture_info(&mut self, (statement, file): (&TextureStatement, usize)) -> Value {
+    fn texture_info(&mut self, statement: &TextureStatement, file: usize) -> Value {
         let mut info = json!({ "index": self.converter.textures.texture(file, statement.clamps) });
         if statement.has_transform() {
             let ([scale_u, scale_v], [offset_u, offset_v]) = (statement.scale, statement.offset);
@@ -139,8 +139,8 @@ impl<'m> MaterialDraft<'m, '_, '_> {
     fn alpha(&mut self, base_color: Map<'m>) -> (Map<'m>, f32) {
         let Definition { opacity, transparency, line, .. } = *self.definition;
         let alpha = opacity.or(transparency.map(|t| 1.0 - t)).unwrap_or(1.0).clamp(0.0, 1.0);
-        if let Some(mask) = self.file_of(MapKind::Opacity)
-            && let Some((base_color, mode)) = self.with_mask(base_color, mask)
+        if let Some((mask, file)) = self.file_of(MapKind::Opacity)
+            && let Some((base_color, mode)) = self.with_mask(base_color, mask, file)
         {
             self.out.insert("alphaMode".to_owned(), json!(mode));
             return (Some(base_color), 1.0);
@@ -161,7 +161,8 @@ impl<'m> MaterialDraft<'m, '_, '_> {
     fn with_mask(
         &mut self,
         base_color: Map<'m>,
-        (mask, mask_file): (&'m TextureStatement, usize),
+        mask: &'m TextureStatement,
+        mask_file: usize,
     ) -> Option<((&'m TextureStatement, usize), &'static str)> {
         let textures = &mut self.converter.textures;
         if let Some((diffuse, file)) = base_color
@@ -204,8 +205,8 @@ impl<'m> MaterialDraft<'m, '_, '_> {
             let factor = [red, green, blue, alpha].map(number);
             pbr.insert("baseColorFactor".to_owned(), json!(factor));
         }
-        if let Some(map) = base_color {
-            pbr.insert("baseColorTexture".to_owned(), self.texture_info(map));
+        if let Some((map, file)) = base_color {
+            pbr.insert("baseColorTexture".to_owned(), self.texture_info(map, file));
         }
         let texture = self.metallic_roughness();
         let roughness = match self.definition.roughness {
@@ -217,8 +218,8 @@ impl<'m> MaterialDraft<'m, '_, '_> {
         let metallic = self.definition.metallic.unwrap_or(if is_textured_metal { 1.0 } else { 0.0 });
         pbr.insert("metallicFactor".to_owned(), number(metallic.clamp(0.0, 1.0)));
         pbr.insert("roughnessFactor".to_owned(), number(roughness));
-        if let Some(map) = texture {
-            pbr.insert("metallicRoughnessTexture".to_owned(), self.texture_info(map));
+        if let Some((map, file)) = texture {
+            pbr.insert("metallicRoughnessTexture".to_owned(), self.texture_info(map, file));
         }
         self.out.insert("pbrMetallicRoughness".to_owned(), Value::Object(pbr));
     }
@@ -264,7 +265,7 @@ impl<'m> MaterialDraft<'m, '_, '_> {
             self.leave_out(statement, "glTF has no height maps");
             return;
         }
-        let mut info = self.texture_info((statement, file));
+        let mut info = self.texture_info(statement, file);
         if statement.bump_scale != 1.0 {
             info["scale"] = number(statement.bump_scale);
         }
@@ -275,8 +276,8 @@ impl<'m> MaterialDraft<'m, '_, '_> {
         let map = self.file_of(MapKind::Emission);
         let color = self.definition.emission.unwrap_or_default().map(|c| c.max(0.0));
         let is_black = color == [0.0; 3];
-        if let Some(map) = map {
-            let info = self.texture_info(map);
+        if let Some((map, file)) = map {
+            let info = self.texture_info(map, file);
             self.out.insert("emissiveTexture".to_owned(), info);
         } else if is_black {
             return;

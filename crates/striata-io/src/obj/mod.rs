@@ -236,7 +236,7 @@ impl ObjReader {
         };
         match found {
             Some(found) if (found as usize) < count => Ok(found),
-            found => self.unusual_index(cursor, (kind, index, found)),
+            found => self.unusual_index(cursor, kind, index, found),
         }
     }
 

@@ -86,7 +86,9 @@ impl ObjReader {
     pub(super) fn unusual_index(
         &mut self,
         cursor: &Cursor<'_>,
-        (kind, index, found): (usize, i64, Option<u32>),
+        kind: usize,
+        index: i64,
+        found: Option<u32>,
     ) -> Result<u32, Fault> {
         if let Some(found) = found {
             if self.forward[kind].last().is_none_or(|&(largest, _)| found > largest) {
@@ -136,7 +138,7 @@ impl ObjReader {
                 corner[kind] = if is_missing { NONE } else { corner[kind] };
                 dropped += u64::from(is_missing);
             }
-            warn_of_missing(kind, dropped, (line, reason), &mut self.warnings);
+            warn_of_missing(kind, dropped, line, reason, &mut self.warnings);
         }
     }
 }
@@ -147,11 +149,6 @@ pub(crate) fn is_missing(index: u32, count: usize) -> bool {
 }
 
 /// Counts texture coordinates (kind 1) or normals (kind 2) of corners that are never defined.
-pub(crate) fn warn_of_missing(
-    kind: usize,
-    count: u64,
-    (line, reason): (u64, String),
-    warnings: &mut Warnings,
-) {
+pub(crate) fn warn_of_missing(kind: usize, count: u64, line: u64, reason: String, warnings: &mut Warnings) {
     warnings.count_many(MISSING[kind], count, || (Place::Line(line), reason));
 }

@@ -54,7 +54,7 @@ pub(crate) fn to_bytes(
             out.push(b'\n');
         }
     }
-    push_groups(&mut out, mesh, &names, (texcoord.is_some(), normal.is_some()));
+    push_groups(&mut out, mesh, &names, texcoord.is_some(), normal.is_some());
     if out.is_empty() {
         // A file without bytes is taken for one that was not written to its end.
         out.extend_from_slice(b"# no vertices\n");
@@ -136,7 +136,8 @@ fn push_groups(
     out: &mut Vec<u8>,
     mesh: &IndexedMesh,
     names: &[String],
-    (has_texcoord, has_normal): (bool, bool),
+    has_texcoord: bool,
+    has_normal: bool,
 ) {
     let groups = mesh.groups_or_whole();
     let (mut name, mut material) = ("", None);

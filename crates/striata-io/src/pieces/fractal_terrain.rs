@@ -39,7 +39,7 @@ impl FractalTerrain {
     }
 
     /// Heights of a block of samples, row by row, in units of the samples' distance.
-    fn heights(&self, (x0, y0): (u32, u32), (width, height): (u32, u32)) -> Vec<f32> {
+    fn heights(&self, x0: u32, y0: u32, width: u32, height: u32) -> Vec<f32> {
         let mut heights = vec![0.0f32; (width * height) as usize];
         for octave in 0..OCTAVES {
             let spacing = 1u32 << (OCTAVES - 1 - octave);
@@ -100,7 +100,7 @@ impl PieceSource for FractalTerrain {
         let (x0, y0) = ((index % columns) as u32 * BLOCK, (index / columns) as u32 * BLOCK);
         let size = |from: u32| BLOCK.min(self.side - 1 - from) + 1;
         let (width, height) = (size(x0), size(y0));
-        let heights = self.heights((x0, y0), (width, height));
+        let heights = self.heights(x0, y0, width, height);
         let at = |i: u32| [(x0 + i % width) as f32, (y0 + i / width) as f32, heights[i as usize]];
         Ok(Piece {
             positions: (0..width * height).map(at).collect(),

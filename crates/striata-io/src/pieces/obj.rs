@@ -87,10 +87,10 @@ impl ObjPieces {
                 .map_err(|fault| fault.in_file(&input.name))?;
         let (mut tables, mut used) = (writer.tables.finish(options)?, writer.used);
         for (kind, used) in [(1, &mut used.texcoords), (2, &mut used.normals)] {
-            let Some(first) = outline.missing[kind].take() else { continue };
+            let Some((line, reason)) = outline.missing[kind].take() else { continue };
             used.count = used.count.min(outline.counts[kind]);
             let missing = count_missing(&tables.corners, kind, used);
-            warn_of_missing(kind, missing, first, &mut warnings);
+            warn_of_missing(kind, missing, line, reason, &mut warnings);
         }
         if used.normals.some && used.normals.lacking {
             warnings.push(Place::File, "not all faces have normals: the normals are left out");

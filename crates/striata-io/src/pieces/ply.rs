@@ -91,7 +91,7 @@ impl PlyPieces {
             byte_count: input.file_bytes,
             ..PieceSummary::default()
         };
-        attach_textures(&mut summary, &input, (&header, remarks), &vertices);
+        attach_textures(&mut summary, &input, &header, remarks, &vertices);
         let count = summary.triangle_count as usize;
         let warnings = Warnings::of_list(&input.name, summary.warnings.clone());
         check_triangles([vertices.element.count, count], count, &warnings)?;
@@ -137,7 +137,7 @@ fn locate(bytes: &[u8], header: &Header, options: &PieceOptions) -> Result<Locat
                 let is_last = place + 1 == header.elements.len();
                 let piece_size = options.piece_size();
                 let options = FaceOptions { is_big, vertex_count, piece_size, is_last };
-                let (runs, end) = FaceRuns::locate(bytes, at, (element, list), options)?;
+                let (runs, end) = FaceRuns::locate(bytes, at, element, list, options)?;
                 found.faces = Some(runs);
                 end
             }
@@ -174,7 +174,8 @@ fn skip(bytes: &[u8], at: usize, element: &Element, is_big: bool) -> Result<usiz
 fn attach_textures(
     summary: &mut PieceSummary,
     input: &PieceInput,
-    (header, remarks): (&Header, Vec<String>),
+    header: &Header,
+    remarks: Vec<String>,
     vertices: &VertexRows,
 ) {
     let mut warnings = Warnings::of_file(&input.name);

@@ -66,7 +66,8 @@ impl FaceRuns {
     pub(super) fn locate(
         bytes: &[u8],
         at: usize,
-        (element, list): (&Element, usize),
+        element: &Element,
+        list: usize,
         options: FaceOptions,
     ) -> Result<(Self, usize), Fault> {
         let FaceOptions { is_big, vertex_count, piece_size, is_last } = options;
@@ -78,8 +79,8 @@ impl FaceRuns {
                 let starts = Starts::Even { first: at, row_bytes, faces_per_run: piece_size };
                 (starts, element.count as u64, bytes.len())
             }
-            None if is_big => listed(&mut BinaryRows::<true>::new(bytes, at), (element, list), piece_size)?,
-            None => listed(&mut BinaryRows::<false>::new(bytes, at), (element, list), piece_size)?,
+            None if is_big => listed(&mut BinaryRows::<true>::new(bytes, at), element, list, piece_size)?,
+            None => listed(&mut BinaryRows::<false>::new(bytes, at), element, list, piece_size)?,
         };
         Ok((Self { element: element.clone(), is_big, starts, vertex_count, triangle_count }, end))
     }
@@ -138,7 +139,8 @@ impl FaceRuns {
 /// Visits all faces: returns where runs begin, the number of triangles, and the end.
 fn listed<'a, const BIG: bool>(
     rows: &mut BinaryRows<'a, BIG>,
-    (element, list): (&Element, usize),
+    element: &Element,
+    list: usize,
     piece_size: usize,
 ) -> Result<(Starts, u64, usize), Fault> {
     let (mut starts, mut in_run, mut total) = (vec![(rows.at(), 0)], 0, 0u64);

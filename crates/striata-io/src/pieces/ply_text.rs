@@ -96,7 +96,7 @@ fn write_body(rows: &mut AsciiRows<'_>, header: &Header, spool: &mut Spool) -> R
             ("face", Some(list)) => {
                 let mut face = TextFace::default();
                 for _ in 0..element.count {
-                    face.read((element, list), vertex_count, rows)?;
+                    face.read(element, list, vertex_count, rows)?;
                     let count = face.write(spool);
                     triangle_count = triangle_count
                         .checked_add(count)
@@ -140,7 +140,8 @@ struct TextFace {
 impl TextFace {
     fn read(
         &mut self,
-        (element, list): (&Element, usize),
+        element: &Element,
+        list: usize,
         vertex_count: usize,
         rows: &mut AsciiRows<'_>,
     ) -> Result<(), Fault> {

@@ -8,7 +8,7 @@ use striata::mesh::{AttributeLayer, LayerData, Semantic, relative_position};
 use super::column::Column;
 use super::header::{Element, Header, Scalar};
 use super::names::{ColumnSet, column_sets};
-use super::texcoords::{flip, mark_flipped};
+use super::texcoords::flip;
 use crate::error::{Fault, Place};
 
 /// Vertex element without its lists: `count` rows of `stride` little-endian bytes.
@@ -36,7 +36,7 @@ pub(super) fn columns_of(element: &Element) -> (Vec<Column>, usize) {
 #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
 pub(crate) fn flipped_columns_of(element: &Element) -> Vec<Column> {
     let (mut columns, _) = columns_of(element);
-    mark_flipped(&mut columns);
+    super::texcoords::mark_flipped(&mut columns);
     columns
 }
 
@@ -47,7 +47,7 @@ impl<'a> PlyVertices<'a> {
     pub(crate) fn of_rows(element: &Element, rows: Cow<'a, [u8]>, has_top_origin: bool) -> Self {
         let (mut columns, stride) = columns_of(element);
         if has_top_origin {
-            mark_flipped(&mut columns);
+            super::texcoords::mark_flipped(&mut columns);
         }
         Self { count: rows.len() / stride.max(1), rows, stride, columns, of_triangles: false }
     }

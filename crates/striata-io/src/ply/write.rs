@@ -30,12 +30,12 @@ pub(crate) fn to_bytes(
         mesh.layers.iter().map(|layer| byte_colors(layer, warnings)).collect();
     let face_layers: Vec<Cow<'_, AttributeLayer>> =
         mesh.triangle_layers.iter().map(|layer| byte_colors(layer, warnings)).collect();
-    let mut out = header(mesh, (&layers, &face_layers), &textures, ascii)?.into_bytes();
+    let mut out = header(mesh, &layers, &face_layers, &textures, ascii)?.into_bytes();
     if ascii {
-        push_ascii(mesh, &layers, (&face_layers, texcoords.as_ref()), &mut out);
+        push_ascii(mesh, &layers, &face_layers, texcoords.as_ref(), &mut out);
     } else {
         let layers: Vec<_> = layers.iter().map(|layer| with_bottom_origin(layer)).collect();
-        push_binary(mesh, &layers, (&face_layers, texcoords.as_ref()), &mut out);
+        push_binary(mesh, &layers, &face_layers, texcoords.as_ref(), &mut out);
     }
     Ok(out)
 }
@@ -55,7 +55,8 @@ fn scalar_of(data: &LayerData) -> Scalar {
 
 fn header(
     mesh: &IndexedMesh,
-    (layers, face_layers): (&[Cow<'_, AttributeLayer>], &[Cow<'_, AttributeLayer>]),
+    layers: &[Cow<'_, AttributeLayer>],
+    face_layers: &[Cow<'_, AttributeLayer>],
     textures: &WrittenTextures,
     ascii: bool,
 ) -> Result<String, Refusal> {
@@ -143,7 +144,8 @@ pub(crate) fn vertex_header(
 fn push_binary(
     mesh: &IndexedMesh,
     layers: &[Cow<'_, AttributeLayer>],
-    (face_layers, texcoords): (&[Cow<'_, AttributeLayer>], Option<&FaceTexcoords<'_>>),
+    face_layers: &[Cow<'_, AttributeLayer>],
+    texcoords: Option<&FaceTexcoords<'_>>,
     out: &mut Vec<u8>,
 ) {
     let bytes_of = |layers: &[Cow<'_, AttributeLayer>]| -> usize {
@@ -194,7 +196,8 @@ pub(crate) fn push_values(layers: &[impl Borrow<AttributeLayer>], index: usize, 
 fn push_ascii(
     mesh: &IndexedMesh,
     layers: &[Cow<'_, AttributeLayer>],
-    (face_layers, texcoords): (&[Cow<'_, AttributeLayer>], Option<&FaceTexcoords<'_>>),
+    face_layers: &[Cow<'_, AttributeLayer>],
+    texcoords: Option<&FaceTexcoords<'_>>,
     out: &mut Vec<u8>,
 ) {
     let flipped: Vec<bool> = layers.iter().map(|layer| has_origin(layer)).collect();

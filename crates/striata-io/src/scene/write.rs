@@ -57,7 +57,7 @@ impl SceneWriter<'_> {
         let mut images = ImageFiles::new(self.scene.images(), beside);
         let bytes = match format {
             Format::Gltf | Format::Glb => {
-                let container = GltfContainer::new(format, options, beside, (&mut images, &mut warnings));
+                let container = GltfContainer::new(format, options, beside, &mut images, &mut warnings);
                 crate::gltf::scene_to_bytes(self, options, container)
             }
             _ => Err(Refusal::Unsupported("the format has no scenes".to_owned())),

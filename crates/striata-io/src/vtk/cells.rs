@@ -1,6 +1,7 @@
 //! Cells, and the triangles that they consist of.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// Cell type of points (`VTK_POLY_VERTEX`).
 pub(super) const POINTS: u8 = 2;
@@ -48,7 +49,8 @@ impl Cells {
         &mut self,
         kind: u8,
         points: &[i64],
-        (first_point, point_count): (usize, usize),
+        first_point: usize,
+        point_count: usize,
     ) -> Result<(), String> {
         for &point in points {
             let Some(point) = usize::try_from(point).ok().filter(|&point| point < point_count) else {
@@ -68,8 +70,9 @@ impl Cells {
     pub(super) fn push_list(
         &mut self,
         kinds: impl Fn(usize) -> Option<u8>,
-        (connectivity, ends): (&[i64], &[i64]),
-        points: (usize, usize),
+        connectivity: &[i64],
+        ends: &[i64],
+        points: Range<usize>,
     ) -> Result<(), String> {
         let mut start = 0;
         for (number, &end) in ends.iter().enumerate() {
@@ -79,7 +82,7 @@ impl Cells {
                 return Err(format!("cell {number} ends at entry {end} of {count}, and begins at {start}"));
             };
             let kind = kinds(number).ok_or_else(|| format!("cell {number} has no type"))?;
-            self.push(kind, corners, points)?;
+            self.push(kind, corners, points.start, points.len())?;
             start += corners.len();
         }
         Ok(())
@@ -177,7 +180,7 @@ mod tests {
     fn surface_of(kind: u8, count: u32) -> CellSurface {
         let points: Vec<i64> = (0..i64::from(count)).collect();
         let mut cells = Cells::default();
-        cells.push(kind, &points, (0, points.len())).unwrap();
+        cells.push(kind, &points, 0, points.len()).unwrap();
         cells.surface()
     }
 
@@ -213,9 +216,9 @@ mod tests {
     #[test]
     fn points_that_do_not_exist_are_refused() {
         let mut cells = Cells::default();
-        assert!(cells.push(TRIANGLE, &[0, 1, 3], (0, 3)).is_err());
-        assert!(Cells::default().push(TRIANGLE, &[0, 1, -1], (0, 3)).is_err());
-        let list = |ends: &[i64]| Cells::default().push_list(|_| Some(7), (&[0, 1, 2], ends), (0, 3));
+        assert!(cells.push(TRIANGLE, &[0, 1, 3], 0, 3).is_err());
+        assert!(Cells::default().push(TRIANGLE, &[0, 1, -1], 0, 3).is_err());
+        let list = |ends: &[i64]| Cells::default().push_list(|_| Some(7), &[0, 1, 2], ends, 0..3);
         assert_eq!(list(&[3]), Ok(()));
         assert!(list(&[4]).is_err() && list(&[2, 1]).is_err() && list(&[-1]).is_err());
     }

@@ -246,8 +246,8 @@ impl<'a> LegacyReader<'a, '_> {
     }
 
     fn push_cells(&mut self, kind: impl Fn(usize) -> Option<u8>, cells: &CellList) -> Result<(), Fault> {
-        let points = (0, self.grid.point_count());
-        let pushed = self.grid.cells.push_list(kind, (&cells.connectivity, &cells.ends), points);
+        let points = 0..self.grid.point_count();
+        let pushed = self.grid.cells.push_list(kind, &cells.connectivity, &cells.ends, points);
         pushed.map_err(|reason| Fault::Malformed(cells.place.clone(), reason))
     }
 

@@ -102,12 +102,12 @@ impl<'a> XmlReader<'a, '_> {
                 }
                 Ok(Event::Start(start)) => {
                     let end = xml.buffer_position() as usize;
-                    self.start(&start, (at, end), &open)?;
+                    self.start(&start, at, end, &open)?;
                     open.push(local_name(&start));
                 }
                 Ok(Event::Empty(start)) => {
                     let end = self.bytes.len();
-                    self.start(&start, (at, end), &open)?;
+                    self.start(&start, at, end, &open)?;
                     if start.name().as_ref() == b"Piece" {
                         self.finish_piece(at)?;
                     }
@@ -129,12 +129,7 @@ impl<'a> XmlReader<'a, '_> {
     }
 
     /// Reads the start of an element, and for arrays the values. The tag is at the bytes `at..end`.
-    fn start(
-        &mut self,
-        start: &BytesStart<'_>,
-        (at, end): (usize, usize),
-        open: &[String],
-    ) -> Result<(), Fault> {
+    fn start(&mut self, start: &BytesStart<'_>, at: usize, end: usize, open: &[String]) -> Result<(), Fault> {
         let attribute = |name: &str| attribute(start, name);
         match start.name().as_ref() {
             b"VTKFile" => self.storage = self.storage_of(start, at)?,
@@ -148,7 +143,7 @@ impl<'a> XmlReader<'a, '_> {
             }
             b"DataArray" | b"Array" => {
                 let section = open.last().map_or("", String::as_str).to_owned();
-                self.array(start, (at, end), &section)?;
+                self.array(start, at, end, &section)?;
             }
             _ => {}
         }
@@ -172,12 +167,7 @@ impl<'a> XmlReader<'a, '_> {
         })
     }
 
-    fn array(
-        &mut self,
-        start: &BytesStart<'_>,
-        (at, end): (usize, usize),
-        section: &str,
-    ) -> Result<(), Fault> {
+    fn array(&mut self, start: &BytesStart<'_>, at: usize, end: usize, section: &str) -> Result<(), Fault> {
         let name = attribute(start, "Name").unwrap_or_default();
         let type_name = attribute(start, "type").unwrap_or_default();
         let is_cells = section == "Cells" || POLY_LISTS.iter().any(|(list, _)| *list == section);
@@ -261,7 +251,7 @@ impl<'a> XmlReader<'a, '_> {
             let pushed = self.grid.push_points(points);
             pushed.map_err(|reason| self.fault(place, reason))?;
         }
-        let points = (first_point, piece.point_count);
+        let points = first_point..first_point.saturating_add(piece.point_count);
         let list = |section: &str, name: &str| {
             piece
                 .lists
@@ -276,7 +266,7 @@ impl<'a> XmlReader<'a, '_> {
             let Some((ends, place)) = list(section, "offsets") else { continue };
             let connectivity = list(section, "connectivity").map_or(&[][..], |(list, _)| list);
             let kind_of = |cell: usize| kind.or_else(|| kind_of(cell));
-            let pushed = self.grid.cells.push_list(kind_of, (connectivity, ends), points);
+            let pushed = self.grid.cells.push_list(kind_of, connectivity, ends, points.clone());
             pushed.map_err(|reason| self.fault(place, format!("`{section}`: {reason}")))?;
         }
         self.grid.push_data(piece.data, self.piece_count == 0, self.warnings);

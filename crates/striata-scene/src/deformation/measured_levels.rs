@@ -101,7 +101,7 @@ fn worst_distance(positions: &[[f32; 3]], walk: &mut LevelWalk, enough: f64) -> 
     let mut worst = enough;
     let mut tree = None;
     for (vertex, position) in (0..).zip(positions) {
-        let near = walk.nearest(positions, (vertex, worst * worst));
+        let near = walk.nearest(positions, vertex, worst * worst);
         if near.is_some_and(|squared| squared <= worst * worst) {
             continue;
         }

@@ -57,13 +57,13 @@ impl ImageLevels<'_> {
     fn base_color(&mut self, material: &Material) -> Option<BaseColor> {
         let [r, g, b, _] = material.base_color;
         let Some(texture) = material.base_color_texture else {
-            let white = TextureLevels::new((1, 1), &[[u8::MAX; 4]], false)?;
+            let white = TextureLevels::new(1, 1, &[[u8::MAX; 4]], false)?;
             return Some(BaseColor { factor: [r, g, b], ..BaseColor::new(white) });
         };
         let has_alpha = material.alpha_mode != AlphaMode::Opaque;
         let image = self.images.get(texture.image)?.as_ref()?;
         let levels = self.known.entry((texture.image, has_alpha)).or_insert_with(|| {
-            TextureLevels::new((image.width, image.height), image.rgba.as_chunks::<4>().0, has_alpha)
+            TextureLevels::new(image.width, image.height, image.rgba.as_chunks::<4>().0, has_alpha)
         });
         Some(BaseColor {
             texture: levels.clone()?,

@@ -38,7 +38,7 @@ pub fn posed_mesh(scene: &Scene, poser: &Poser, pose: &Pose) -> Result<IndexedMe
         return Err(SceneError { place: striata_io::Place::Json("nodes".to_owned()), reason });
     }
     let material_count = entries(scene.document(), "materials").len();
-    let mut posed = UnfinishedPose::new(shown().map(|(_, mesh)| mesh), (vertex_count, triangle_count));
+    let mut posed = UnfinishedPose::new(shown().map(|(_, mesh)| mesh), vertex_count, triangle_count);
     for (instance, mesh) in shown() {
         posed.push(&InstancePose::new(poser, pose, instance), mesh);
         let materials = scene.primitive_materials(instance.mesh);
@@ -86,7 +86,8 @@ struct UnfinishedPose {
 impl UnfinishedPose {
     fn new<'m>(
         meshes: impl Iterator<Item = &'m IndexedMesh>,
-        (vertex_count, triangle_count): (usize, usize),
+        vertex_count: usize,
+        triangle_count: usize,
     ) -> Self {
         let (mut has_normals, mut has_tangents, mut has_colors) = (false, false, false);
         let mut has_uvs = [false; UV_SETS as usize];

@@ -86,7 +86,7 @@ impl LodScene {
         let mut options_of: Vec<_> =
             weights.iter().map(|weight| in_mesh_units(&options.stream, weight)).collect();
         let meshes: Vec<_> = self.lods().iter().map(|lod| lod.as_ref().map(Lod::mesh)).collect();
-        share_lattices((self.scene(), &meshes), options_of.iter_mut().map(Some).collect());
+        share_lattices(self.scene(), &meshes, options_of.iter_mut().map(Some).collect());
         let encode = |(mesh, lod): (usize, &Option<Lod>)| {
             let Some(lod) = lod.as_ref().filter(|lod| lod.mesh().triangle_count() > 0) else {
                 return Ok(None);
@@ -104,7 +104,7 @@ impl LodScene {
             let shape_step = options.batches.shape_step.unwrap_or(SHAPE_STEPS * step);
             let batches = options.batches.clone().with_shape_step(Some(shape_step));
             let built: Result<_, GlbStreamError> =
-                simplifier.batches((mesh, lod.mesh()), &batches, progress).map_err(failed);
+                simplifier.batches(mesh, lod.mesh(), &batches, progress).map_err(failed);
             let built = built?;
             let stream = encode_stream_with_progress(&built.built.refinable, &built.batches, own, progress);
             Ok(Some(stream.map_err(in_stream)?.bytes))

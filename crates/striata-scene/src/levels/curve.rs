@@ -177,7 +177,7 @@ fn measured_sums(lod: &Lod, triangles: &[[u32; 3]]) -> Vec<(usize, f64)> {
         let removed = sequence.vertex_count_at(split_count)..mesh.vertex_count();
         let stride = removed.len().div_ceil(MAX_SAMPLES).max(1);
         let samples = removed.step_by(stride).map(|vertex| {
-            let squared = walk.nearest(&mesh.positions, (vertex as u32, 0.0)).unwrap_or(farthest);
+            let squared = walk.nearest(&mesh.positions, vertex as u32, 0.0).unwrap_or(farthest);
             squared * areas[vertex]
         });
         sums.push((split_count, samples.sum::<f64>() * stride as f64));

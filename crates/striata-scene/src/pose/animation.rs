@@ -71,7 +71,7 @@ impl Animation {
                 _ => continue,
             };
             if let (Some((node, target_count)), Some(sampler)) = (node, sampler) {
-                channels.extend(Channel::read(sampler, accessors, (node, property, target_count))?);
+                channels.extend(Channel::read(sampler, accessors, node, property, target_count)?);
             }
         }
         let name = at.get("name").and_then(Value::as_str).unwrap_or_default().to_owned();
@@ -90,7 +90,9 @@ impl Channel {
     fn read(
         sampler: &Value,
         accessors: &mut AccessorNumbers<'_>,
-        (node, property, target_count): (usize, ChannelProperty, usize),
+        node: usize,
+        property: ChannelProperty,
+        target_count: usize,
     ) -> Result<Option<Self>, SceneError> {
         let accessor = |key| sampler.get(key).and_then(Value::as_u64);
         let (Some(input), Some(output)) = (accessor("input"), accessor("output")) else { return Ok(None) };

@@ -106,7 +106,7 @@ impl SceneStreamDecoder {
             }
             let (whole, rest) = bytes.split_at(packet.head_bytes + packet.length);
             packet.check(whole, self.read)?;
-            self.accept(packet, (&whole[packet.head_bytes..], end), update)?;
+            self.accept(packet, &whole[packet.head_bytes..], end, update)?;
             self.read = end;
             bytes = rest;
         }
@@ -127,7 +127,8 @@ impl SceneStreamDecoder {
     fn accept(
         &mut self,
         packet: PacketHead,
-        (payload, end): (&[u8], u64),
+        payload: &[u8],
+        end: u64,
         update: &mut SceneStreamUpdate,
     ) -> Result<(), SceneStreamError> {
         let index = packet.index as usize;

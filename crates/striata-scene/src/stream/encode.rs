@@ -200,11 +200,11 @@ fn encode_mesh(
         let step = options.grid_step(mesh).map_err(|error| MeshFault::Stream(error.into()))?;
         batches.shape_step = Some(SHAPE_STEPS * step);
     }
-    let built = simplifier.batches((index, mesh), &batches, &mut stage(progress, (0, 2)));
+    let built = simplifier.batches(index, mesh, &batches, &mut stage(progress, 0, 2));
     let BuiltBatches { mut built, batches, .. } = built.map_err(MeshFault::Simplify)?;
     // Packets follow the chunks of a stream, and scenes have no data of triangles.
     built.refinable.mesh.triangle_layers.clear();
-    let encoding = &mut stage(progress, (1, 2));
+    let encoding = &mut stage(progress, 1, 2);
     let stream = encode_stream_with_progress(&built.refinable, &batches, options, encoding);
     let stream = stream.map_err(MeshFault::Stream)?;
     // A stream that was just written has a valid header.

@@ -97,7 +97,7 @@ impl Body {
         let base_end = packets.bytes.len();
         put_previews(&mut packets, scene, images);
         let preview_end = packets.bytes.len();
-        put_refinement(&mut packets, (scene, meshes), images, &parts[1]);
+        put_refinement(&mut packets, scene, meshes, images, &parts[1]);
         Self { packets, base_end, preview_end }
     }
 }
@@ -119,7 +119,8 @@ fn put_previews(packets: &mut Packets, scene: &Scene, images: &[PreparedImage]) 
 /// Puts the rest of all meshes, the images and the animations, in the order of the schedule.
 fn put_refinement(
     packets: &mut Packets,
-    (scene, meshes): (&Scene, &[Option<MeshStream>]),
+    scene: &Scene,
+    meshes: &[Option<MeshStream>],
     images: &[PreparedImage],
     animations: &[u8],
 ) {

@@ -41,7 +41,7 @@ pub(super) fn mesh_precisions(scene: &Scene, options: &StreamOptions) -> Vec<Opt
         let mut own = options.clone();
         own.metadata.clear();
         let own = match tolerance.zip(scale) {
-            Some((tolerance, scale)) => within(scene, (index, mesh), tolerance / scale, own),
+            Some((tolerance, scale)) => within(scene, index, mesh, tolerance / scale, own),
             None => own,
         };
         Some(MeshPrecision { options: own, scale: scale.unwrap_or(0.0) })
@@ -49,7 +49,8 @@ pub(super) fn mesh_precisions(scene: &Scene, options: &StreamOptions) -> Vec<Opt
     let mut precisions: Vec<_> = with_scale.map(precision).collect();
     let meshes: Vec<_> = scene.meshes().iter().map(Option::as_ref).collect();
     share_lattices(
-        (scene, &meshes),
+        scene,
+        &meshes,
         precisions.iter_mut().map(|own| own.as_mut().map(|own| &mut own.options)).collect(),
     );
     precisions
@@ -61,7 +62,8 @@ const FINER: f64 = 4.0;
 /// Gives meshes that touch the same lattice, the finest that one of them asks for, so that they still touch when
 /// they are rounded. `options` has those of each mesh.
 pub(crate) fn share_lattices(
-    (scene, meshes): (&Scene, &[Option<&IndexedMesh>]),
+    scene: &Scene,
+    meshes: &[Option<&IndexedMesh>],
     mut options: Vec<Option<&mut StreamOptions>>,
 ) {
     let is_exact = |own: &&mut StreamOptions| own.precision == Precision::Lossless;
@@ -111,7 +113,8 @@ pub(super) fn longest_side(scene: &Scene) -> Option<f64> {
 /// Sets the precision of a mesh that may move by a distance, mesh units.
 fn within(
     scene: &Scene,
-    (index, mesh): (usize, &IndexedMesh),
+    index: usize,
+    mesh: &IndexedMesh,
     tolerance: f64,
     mut options: StreamOptions,
 ) -> StreamOptions {

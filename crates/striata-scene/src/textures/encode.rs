@@ -29,7 +29,8 @@ pub struct EncodedImage {
 pub(super) fn encode(
     pixels: &Pixels,
     format: ImageFormat,
-    (keeps_alpha, quality): (bool, u8),
+    keeps_alpha: bool,
+    quality: u8,
 ) -> Result<EncodedImage, TextureError> {
     let Pixels { width, height, .. } = *pixels;
     let keeps_alpha = keeps_alpha && format != ImageFormat::Jpeg;

@@ -42,7 +42,7 @@ pub fn preview(bytes: &[u8], role: TextureRole, max_side: u32) -> Option<Preview
     let small = reduce(full, reduced_size(full.width, full.height, max_side), role);
     let keeps_alpha = decoded.has_alpha && role.alpha != AlphaUse::Unused;
     let image = smallest(&small, role, keeps_alpha).ok()?;
-    let average = reduce(&small, (1, 1), role).rgba;
+    let average = reduce(&small, [1, 1], role).rgba;
     Some(Preview {
         image,
         full_size: (full.width, full.height),
@@ -53,18 +53,18 @@ pub fn preview(bytes: &[u8], role: TextureRole, max_side: u32) -> Option<Preview
 
 /// Encodes a preview in the smallest form that is good enough.
 fn smallest(small: &Pixels, role: TextureRole, keeps_alpha: bool) -> Result<EncodedImage, TextureError> {
-    let png = encode(small, ImageFormat::Png, (keeps_alpha, 0))?;
+    let png = encode(small, ImageFormat::Png, keeps_alpha, 0)?;
     if keeps_alpha {
         return Ok(png);
     }
     let limit = if role.transfer == TextureTransfer::Normal { NORMAL_ERROR } else { COLOR_ERROR };
-    let mut jpeg = encode(small, ImageFormat::Jpeg, (false, QUALITIES[0]))?;
+    let mut jpeg = encode(small, ImageFormat::Jpeg, false, QUALITIES[0])?;
     for &quality in &QUALITIES[1..] {
         let shown = decode(&jpeg.bytes)?.pixels;
         if rms(small, &shown, |at| at) <= limit || jpeg.bytes.len() >= png.bytes.len() {
             break;
         }
-        jpeg = encode(small, ImageFormat::Jpeg, (false, quality))?;
+        jpeg = encode(small, ImageFormat::Jpeg, false, quality)?;
     }
     Ok(if png.bytes.len() <= jpeg.bytes.len() { png } else { jpeg })
 }

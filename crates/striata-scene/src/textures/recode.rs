@@ -103,7 +103,7 @@ pub fn recode(
         None => info.format,
     };
     let size = reduced_size(info.width, info.height, options.max_side.unwrap_or(u32::MAX));
-    if wanted == info.format && size == (info.width, info.height) {
+    if wanted == info.format && size == [info.width, info.height] {
         return Ok(RecodedImage::Unchanged);
     }
     if !info.format.is_decoded() {
@@ -114,9 +114,9 @@ pub fn recode(
     let size = reduced_size(info.width, info.height, options.max_side.unwrap_or(u32::MAX));
     let keeps_alpha = has_alpha && role.alpha != AlphaUse::Unused;
     let format = if keeps_alpha && wanted == ImageFormat::Jpeg { ImageFormat::Png } else { wanted };
-    if format == info.format && size == (info.width, info.height) {
+    if format == info.format && size == [info.width, info.height] {
         return Ok(RecodedImage::Unchanged);
     }
-    let reduced = if size == (info.width, info.height) { pixels } else { reduce(&pixels, size, role) };
-    Ok(RecodedImage::Changed(encode(&reduced, format, (keeps_alpha, options.quality))?))
+    let reduced = if size == [info.width, info.height] { pixels } else { reduce(&pixels, size, role) };
+    Ok(RecodedImage::Changed(encode(&reduced, format, keeps_alpha, options.quality)?))
 }

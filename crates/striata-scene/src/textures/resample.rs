@@ -18,20 +18,20 @@ pub(super) struct Pixels {
 }
 
 /// Returns the size of an image of which no side is longer than `max_side`, with the same aspect.
-pub(super) fn reduced_size(width: u32, height: u32, max_side: u32) -> (u32, u32) {
+pub(super) fn reduced_size(width: u32, height: u32, max_side: u32) -> [u32; 2] {
     let longest = width.max(height);
     if longest <= max_side {
-        return (width, height);
+        return [width, height];
     }
     let scaled = |side: u32| {
         let side = u64::from(side) * u64::from(max_side);
         ((side + u64::from(longest) / 2) / u64::from(longest)).max(1) as u32
     };
-    (scaled(width), scaled(height))
+    [scaled(width), scaled(height)]
 }
 
 /// Reduces an image; no side of the result may be longer than before.
-pub(super) fn reduce(image: &Pixels, (width, height): (u32, u32), role: TextureRole) -> Pixels {
+pub(super) fn reduce(image: &Pixels, [width, height]: [u32; 2], role: TextureRole) -> Pixels {
     let columns = filter(image.width, width);
     let rows = filter(image.height, height);
     let mut out = Pixels { width, height, rgba: Vec::with_capacity(width as usize * height as usize * 4) };
@@ -156,7 +156,7 @@ mod tests {
     fn colors_are_averaged_in_linear_light_and_numbers_are_not() {
         let image = board(64, [[0, 0, 0, 255], [255, 255, 255, 255]]);
         let center = |role| {
-            let small = reduce(&image, (8, 8), role);
+            let small = reduce(&image, [8, 8], role);
             small.rgba[(4 * 8 + 4) * 4..][..4].to_vec()
         };
         assert_eq!(center(role(TextureTransfer::Srgb, AlphaUse::Unused)), [188, 188, 188, 255]);
@@ -166,36 +166,36 @@ mod tests {
     #[test]
     fn invisible_pixels_do_not_color_their_neighbors() {
         let image = board(64, [[200, 10, 10, 255], [0, 255, 0, 0]]);
-        let small = reduce(&image, (8, 8), role(TextureTransfer::Srgb, AlphaUse::Coverage));
+        let small = reduce(&image, [8, 8], role(TextureTransfer::Srgb, AlphaUse::Coverage));
         let pixel = &small.rgba[(3 * 8 + 3) * 4..][..4];
         assert!(pixel[0] >= 199 && pixel[1] <= 20 && pixel[3] == 128, "{pixel:?}");
         let clear = board(8, [[9, 90, 200, 0], [9, 90, 200, 0]]);
-        let small = reduce(&clear, (2, 2), role(TextureTransfer::Srgb, AlphaUse::Coverage));
+        let small = reduce(&clear, [2, 2], role(TextureTransfer::Srgb, AlphaUse::Coverage));
         assert_eq!(small.rgba[..4], [9, 90, 200, 0]);
     }
 
     #[test]
     fn normals_have_unit_length_after_averaging() {
         let image = board(64, [[217, 128, 217, 255], [38, 128, 217, 255]]);
-        let small = reduce(&image, (4, 4), role(TextureTransfer::Normal, AlphaUse::Unused));
+        let small = reduce(&image, [4, 4], role(TextureTransfer::Normal, AlphaUse::Unused));
         let pixel = &small.rgba[(4 + 1) * 4..][..3];
         assert!(pixel[0].abs_diff(128) <= 1 && pixel[2] == 255, "{pixel:?}");
     }
 
     #[test]
     fn constant_images_stay_constant_at_any_size() {
-        for (width, height, to) in [(7, 5, (3, 2)), (100, 1, (9, 1)), (16, 16, (16, 3)), (5, 5, (5, 5))] {
+        for (width, height, to) in [(7, 5, [3, 2]), (100, 1, [9, 1]), (16, 16, [16, 3]), (5, 5, [5, 5])] {
             let image = Pixels { width, height, rgba: [30, 60, 90, 120].repeat((width * height) as usize) };
             let small = reduce(&image, to, role(TextureTransfer::Srgb, AlphaUse::Data));
-            assert_eq!(small.rgba, [30, 60, 90, 120].repeat((to.0 * to.1) as usize));
+            assert_eq!(small.rgba, [30, 60, 90, 120].repeat((to[0] * to[1]) as usize));
         }
     }
 
     #[test]
     fn sizes_keep_the_aspect() {
-        assert_eq!(reduced_size(4096, 2048, 128), (128, 64));
-        assert_eq!(reduced_size(100, 3, 10), (10, 1));
-        assert_eq!(reduced_size(10_000, 1, 128), (128, 1));
-        assert_eq!(reduced_size(64, 32, 128), (64, 32));
+        assert_eq!(reduced_size(4096, 2048, 128), [128, 64]);
+        assert_eq!(reduced_size(100, 3, 10), [10, 1]);
+        assert_eq!(reduced_size(10_000, 1, 128), [128, 1]);
+        assert_eq!(reduced_size(64, 32, 128), [64, 32]);
     }
 }

@@ -28,7 +28,7 @@ impl RgbaImage {
     pub fn decode(bytes: &[u8], role: TextureRole, max_side: u32) -> Result<Self, TextureError> {
         let pixels = decode(bytes)?.pixels;
         let size = reduced_size(pixels.width, pixels.height, max_side.max(1));
-        let is_small = size == (pixels.width, pixels.height);
+        let is_small = size == [pixels.width, pixels.height];
         let Pixels { width, height, rgba } = if is_small { pixels } else { reduce(&pixels, size, role) };
         Ok(Self { width, height, rgba: rgba.into() })
     }

@@ -38,7 +38,7 @@ impl Base {
                 continue;
             }
             let actual = input.map_or(0, |input| input.group(t as u32));
-            let group = model.base_group(coder, (group_count, last_group), actual);
+            let group = model.base_group(coder, group_count, last_group, actual);
             last_group = Some(group);
             self.groups.push(group);
             let mut corner_vertices = [0; 3];
@@ -46,7 +46,7 @@ impl Base {
                 let p = position as usize;
                 let wedges = self.first_vertex[p]..self.first_vertex[p + 1];
                 let actual = input.map_or(0, |input| input.vertex_at(4 * t as u32 + i as u32));
-                corner_vertices[i] = model.base_corner(coder, (wedges, last_wedge[p]), actual);
+                corner_vertices[i] = model.base_corner(coder, wedges, last_wedge[p], actual);
                 last_wedge[p] = Some(corner_vertices[i]);
             }
             self.corner_vertices.push(corner_vertices);

@@ -12,7 +12,8 @@ impl Ring {
         &mut self,
         split_context: &SplitContext<'_>,
         history: &VertexHistories,
-        (vertex, corners): (u32, &[u32]),
+        vertex: u32,
+        corners: &[u32],
     ) {
         let here = split_context.grid_points[vertex as usize];
         self.magnitudes = 0;

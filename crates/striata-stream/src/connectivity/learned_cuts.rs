@@ -188,8 +188,7 @@ impl LearnedCuts {
                 height_count += 1;
             }
             self.sides[at].edge = edge_keys(&spokes[at], lengths[at] - length, height - self.height);
-            self.sides[at].triangle =
-                triangle_keys(areas[at], areas[at] - area, (is_obtuse[at], tangents[at]));
+            self.sides[at].triangle = triangle_keys(areas[at], areas[at] - area, is_obtuse[at], tangents[at]);
         }
         mean(heights, height_count)
     }
@@ -366,7 +365,7 @@ fn edge_keys(spoke: &Spoke, length: i32, height: i32) -> [u8; 4] {
 
 /// Returns the keys of a triangle; one with zero area is virtual.
 #[inline]
-fn triangle_keys(area: i32, relative_area: i32, (is_obtuse, tangent): (bool, i32)) -> [u8; 2] {
+fn triangle_keys(area: i32, relative_area: i32, is_obtuse: bool, tangent: i32) -> [u8; 2] {
     if area == 0 {
         return [AREAS as u8 - 1, (AREAS + ANGLES - 1) as u8];
     }

@@ -152,7 +152,7 @@ impl ConnectivityModel {
     ) -> Option<Cut> {
         let (first, length) = self.code_run(coder, split_context, corners, actual)?;
         let cut = Cut { first: corners[first], length: length as u32 };
-        self.history.record_split(vertex, &self.ring, (first, length));
+        self.history.record_split(vertex, &self.ring, first, length);
         Some(cut)
     }
 
@@ -164,7 +164,7 @@ impl ConnectivityModel {
         corners: &[u32],
         vertex_history: VertexHistory,
     ) {
-        self.ring.gather(split_context, &self.history, (vertex, corners));
+        self.ring.gather(split_context, &self.history, vertex, corners);
         if self.ring.free > 0 {
             self.ring.measure();
         }
@@ -186,7 +186,8 @@ impl ConnectivityModel {
         });
         let can_be_long = (split_context.max_patch as usize).min(corners.len().saturating_sub(1)) > MAX_RUN;
         if can_be_long && self.is_long.code(coder, actual.is_some_and(|(_, length)| length > MAX_RUN)) {
-            return code_long_run(coder, split_context, corners, actual.unwrap_or((0, 0)));
+            let (first, length) = actual.unwrap_or((0, 0));
+            return code_long_run(coder, split_context, corners, first, length);
         }
         (self.cuts.run_count() > 0).then(|| self.cuts.code(coder, &self.ring, actual))
     }
@@ -241,7 +242,8 @@ fn code_long_run<C: Coder>(
     coder: &mut C,
     split_context: &SplitContext<'_>,
     corners: &[u32],
-    (first, length): (usize, usize),
+    first: usize,
+    length: usize,
 ) -> Option<(usize, usize)> {
     let n = corners.len();
     let bits = (usize::BITS - n.leading_zeros()).min(24);

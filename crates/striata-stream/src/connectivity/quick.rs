@@ -188,8 +188,8 @@ impl QuickModel {
         let n = self.rings.of(split).len();
         let is_short = (2..=ranked_cuts::MAX_RING).contains(&n);
         let run = match self.cuts {
-            QuickCuts::Ranked(_) if is_short => self.ranked_run(coder, split_context, (split, actual)),
-            QuickCuts::Learned(_) if is_short => self.learned_run(coder, split_context, (split, actual)),
+            QuickCuts::Ranked(_) if is_short => self.ranked_run(coder, split_context, split, actual),
+            QuickCuts::Learned(_) if is_short => self.learned_run(coder, split_context, split, actual),
             _ => {
                 let kept = split_context.grid_points[self.splits[split] as usize];
                 let edges = Edges {
@@ -217,7 +217,8 @@ impl QuickModel {
         &mut self,
         coder: &mut C,
         split_context: &SplitContext<'_>,
-        (split, actual): (usize, Option<Cut>),
+        split: usize,
+        actual: Option<Cut>,
     ) -> Option<(usize, usize)> {
         let ring = self.rings.of(split);
         let kept = split_context.grid_points[self.splits[split] as usize];
@@ -245,7 +246,8 @@ impl QuickModel {
         &mut self,
         coder: &mut C,
         split_context: &SplitContext<'_>,
-        (split, actual): (usize, Option<Cut>),
+        split: usize,
+        actual: Option<Cut>,
     ) -> Option<(usize, usize)> {
         let ring = self.rings.of(split);
         let vertex = self.splits[split];

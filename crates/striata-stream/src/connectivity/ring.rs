@@ -207,7 +207,7 @@ mod tests {
         let split_context =
             SplitContext { surface: &surface, grid_points: &grid_points, walk: &walk, max_patch: 5 };
         let mut ring = Ring::default();
-        ring.gather(&split_context, &history, (1, &corners));
+        ring.gather(&split_context, &history, 1, &corners);
         ring.measure();
         assert_eq!((ring.free, ring.free_run, ring.states), (5, 5, [6, 0, 0, 0]));
         assert!((ring.height - MIN_HEIGHT).abs() <= 1);
@@ -219,7 +219,7 @@ mod tests {
         }
         // Around a vertex of the rim, the hole counts as virtual.
         let corners: Vec<u32> = surface.ring(2).collect();
-        ring.gather(&split_context, &history, (2, &corners));
+        ring.gather(&split_context, &history, 2, &corners);
         ring.measure();
         let open: Vec<_> = ring.spokes.iter().filter(|s| s.is_virtual).collect();
         assert!(open.len() == 1 && open[0].step == [0; 3] && open[0].area == 0);

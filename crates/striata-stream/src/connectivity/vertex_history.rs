@@ -109,7 +109,7 @@ impl VertexHistories {
 
     /// Records the cut of a vertex, given by the index of its first corner and its length, and updates the
     /// vertices around it.
-    pub(super) fn record_split(&mut self, vertex: u32, ring: &Ring, (first, cut_length): (usize, usize)) {
+    pub(super) fn record_split(&mut self, vertex: u32, ring: &Ring, first: usize, cut_length: usize) {
         let n = ring.spokes.len();
         for spoke in ring.spokes.iter().filter(|spoke| !spoke.is_virtual) {
             let Some(vertex_history) = self.vertices.get_mut(spoke.vertex as usize) else { continue };

@@ -102,7 +102,7 @@ impl RangeWriter {
     /// Narrows the interval to the share from `begin` to `end`, in units; `None` stands for the end of the
     /// interval.
     #[inline]
-    fn narrow(&mut self, unit: u64, (begin, end): (u64, Option<u64>)) {
+    fn narrow(&mut self, unit: u64, begin: u64, end: Option<u64>) {
         let low = unit * begin;
         let high = end.map_or(self.range, |end| unit * end);
         self.add_to_low(low);
@@ -141,7 +141,7 @@ impl Coder for RangeWriter {
     #[inline]
     fn symbol(&mut self, actual: usize, begins: &Shares) -> usize {
         let end = begins.get(actual + 1).map(|&end| end as u64);
-        self.narrow(self.range >> 15, (begins[actual] as u64, end));
+        self.narrow(self.range >> 15, begins[actual] as u64, end);
         actual
     }
 
@@ -235,7 +235,7 @@ impl<'a> RangeReader<'a> {
     /// Narrows the interval to the share from `begin` to `end`, in units; `None` stands for the end of the
     /// interval.
     #[inline]
-    fn narrow(&mut self, unit: u64, (begin, end): (u64, Option<u64>)) {
+    fn narrow(&mut self, unit: u64, begin: u64, end: Option<u64>) {
         let low = unit * begin;
         let high = end.map_or(self.range, |end| unit * end);
         if self.uncertainty != 0 {
@@ -288,7 +288,7 @@ impl Coder for RangeReader<'_> {
         // The remainder that rounding leaves at the top belongs to the last symbol.
         let symbol = symbol_at(begins, (self.value / unit).min(32_767) as i16);
         let end = begins.get(symbol + 1).map(|&end| end as u64);
-        self.narrow(unit, (begins[symbol & 15] as u64, end));
+        self.narrow(unit, begins[symbol & 15] as u64, end);
         symbol
     }
 

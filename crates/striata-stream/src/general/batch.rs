@@ -76,8 +76,8 @@ impl MeshRefiner {
         let GeneralBatches { model, wedges: wedge_model, complex, grid_points, .. } = general;
         coder.part(Part::Connectivity);
         step.split = model.code_split(coder, complex.position_count() as u32, actual);
-        model.moved(coder, complex, (actual, &mut *step));
-        model.new_triangles(coder, complex, (actual, &mut *step));
+        model.moved(coder, complex, actual, &mut *step);
+        model.new_triangles(coder, complex, actual, &mut *step);
         let ring = complex.corners(step.split).count() as u64;
         self.spend_visits((1 + ring) * (1 + step.new_triangles.len() as u64))?;
         coder.part(Part::Positions);

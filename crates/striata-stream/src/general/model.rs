@@ -117,7 +117,8 @@ impl GeneralModel {
         &mut self,
         coder: &mut C,
         complex: &Complex,
-        (actual, out): (Option<&ReferenceStep>, &mut CodedStep),
+        actual: Option<&ReferenceStep>,
+        out: &mut CodedStep,
     ) {
         out.moved.clear();
         out.fan.clear();
@@ -159,7 +160,8 @@ impl GeneralModel {
         &mut self,
         coder: &mut C,
         complex: &Complex,
-        (actual, out): (Option<&ReferenceStep>, &mut CodedStep),
+        actual: Option<&ReferenceStep>,
+        out: &mut CodedStep,
     ) {
         out.new_triangles.clear();
         out.reference_triangles.clear();

@@ -96,7 +96,8 @@ impl Estimates {
     fn of(
         grid: Octahedron,
         values: &LayerValues,
-        (neighborhood, geometric): (&LayerNeighborhood<'_>, [i64; 3]),
+        neighborhood: &LayerNeighborhood<'_>,
+        geometric: [i64; 3],
     ) -> Self {
         let unit = unit_of(grid);
         let direction = |vertex: u32| {
@@ -174,9 +175,10 @@ impl DirectionPrediction {
     fn of(
         grid: Octahedron,
         values: &LayerValues,
-        (neighborhood, geometric): (&LayerNeighborhood<'_>, [i64; 3]),
+        neighborhood: &LayerNeighborhood<'_>,
+        geometric: [i64; 3],
     ) -> (Self, Estimates) {
-        let estimates = Estimates::of(grid, values, (neighborhood, geometric));
+        let estimates = Estimates::of(grid, values, neighborhood, geometric);
         let in_grid = |off: u64| off * 16 * grid.side() as u64 / unit_of(grid) as u64;
         let conflict = in_grid(distance(estimates.geometric, estimates.mirrored));
         let own = estimates.candidates();
@@ -223,11 +225,12 @@ impl DirectionPrediction {
         &mut self,
         grid: Octahedron,
         values: &LayerValues,
-        (neighborhood, own): (&LayerNeighborhood<'_>, &Estimates),
+        neighborhood: &LayerNeighborhood<'_>,
+        own: &Estimates,
     ) {
         let whole = neighborhood.whole.filter(|_| !neighborhood.is_hidden).map(|(ring, fit)| {
             let neighborhood = LayerNeighborhood { ring, fit, ..*neighborhood };
-            Estimates::of(grid, values, (&neighborhood, fit.normal))
+            Estimates::of(grid, values, &neighborhood, fit.normal)
         });
         let whole = whole.as_ref().unwrap_or(own);
         let sum = |a: [i64; 3], b: [i64; 3]| -> [i64; 3] { std::array::from_fn(|i| a[i] + b[i]) };
@@ -289,7 +292,7 @@ impl DirectionModel {
             return;
         }
         let kind = neighborhood.kind();
-        let prediction = self.prediction(values, (neighborhood, geometric), kind);
+        let prediction = self.prediction(values, neighborhood, geometric, kind);
         let best = self.selectors[prediction.selector(kind)].best(prediction.count);
         let predicted = self.grid.point(prediction.candidates[best]);
         let off = actual.map_or([0; 2], |m| self.grid.difference([m[0], m[1]], predicted));
@@ -308,13 +311,13 @@ impl DirectionModel {
     fn prediction(
         &self,
         values: &LayerValues,
-        (neighborhood, geometric): (&LayerNeighborhood<'_>, [i64; 3]),
+        neighborhood: &LayerNeighborhood<'_>,
+        geometric: [i64; 3],
         kind: usize,
     ) -> DirectionPrediction {
-        let (mut prediction, estimates) =
-            DirectionPrediction::of(self.grid, values, (neighborhood, geometric));
+        let (mut prediction, estimates) = DirectionPrediction::of(self.grid, values, neighborhood, geometric);
         if kind > 0 && kind != BASE_KIND {
-            prediction.add_position(self.grid, values, (neighborhood, &estimates));
+            prediction.add_position(self.grid, values, neighborhood, &estimates);
         }
         // Too little is known around vertices of the base mesh to learn a sum.
         if kind != BASE_KIND {
@@ -405,7 +408,7 @@ mod tests {
         let mut fit = RingFit::default();
         fit.measure(grid_point(here), &ring.map(grid_point), true);
         let neighborhood = LayerNeighborhood::new(Some(0), &[0, 1, 2, 3], &fit);
-        let estimates = Estimates::of(grid, &values, (&neighborhood, fit.normal));
+        let estimates = Estimates::of(grid, &values, &neighborhood, fit.normal);
         let off = |d: [i64; 3]| {
             let difference = grid.difference(point(here), grid.point(d));
             difference[0].abs().max(difference[1].abs())

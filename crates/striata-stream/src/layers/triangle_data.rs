@@ -63,7 +63,8 @@ impl TriangleData {
         &self,
         bytes: &[u8],
         triangle_count: usize,
-        (chunk, offset): (usize, u64),
+        chunk: usize,
+        offset: u64,
     ) -> Result<Vec<AttributeLayer>, StreamDefect> {
         let found = crc32fast::hash(bytes);
         if found != self.checksum {

@@ -57,7 +57,7 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCode
         let mut errors = [0u32; 2];
         for (slot, &a) in axes.iter().enumerate() {
             let across = slot / 2;
-            self.density.move_bumps(slot, (normal, axes), coords);
+            self.density.move_bumps(slot, normal, axes, coords);
             let (base, features) = self.density.features(a);
             let blend = &mut self.blends[across][valence];
             let expected = base + blend.predict(&features);

@@ -67,12 +67,7 @@ impl<const USED: usize> PositionDensity<USED> {
     }
 
     /// Moves the bumps to the guesses along an axis, given the coordinates known so far.
-    pub(super) fn move_bumps(
-        &mut self,
-        slot: usize,
-        (normal, axes): ([i64; 3], [usize; 3]),
-        coords: [i32; 3],
-    ) {
+    pub(super) fn move_bumps(&mut self, slot: usize, normal: [i64; 3], axes: [usize; 3], coords: [i32; 3]) {
         self.is_last = slot == 2;
         self.is_inward = normal[axes[2]] < 0;
         if slot == 2 {

@@ -60,7 +60,7 @@ impl ResidualAxis {
         let models = [&mut self.by_size[size], &mut self.by_spread[spread]];
         let symbol = code_by_two(coder, models, actual_symbol, LAST_SHIFT);
         if symbol == FAR {
-            return self.code_far(coder, (size, noise), actual);
+            return self.code_far(coder, size, noise, actual);
         }
         let bucket = (symbol.max(1) as u32 - 1) / 2;
         let bits = bucket + noise;
@@ -73,7 +73,7 @@ impl ResidualAxis {
 
     /// Codes a residual beyond the last bucket.
     #[cold]
-    fn code_far<C: Coder>(&mut self, coder: &mut C, (size, noise): (usize, u32), actual: i32) -> i32 {
+    fn code_far<C: Coder>(&mut self, coder: &mut C, size: usize, noise: u32, actual: i32) -> i32 {
         let below = if noise == 0 { 0 } else { coder.raw(actual as u32, noise) };
         self.far.signed(coder, size, actual >> noise).wrapping_shl(noise) | below as i32
     }

@@ -99,7 +99,7 @@ impl StreamDecoder {
     /// Whatever was decoded before remains available, but the decoder accepts no more bytes.
     pub fn push(&mut self, bytes: &[u8]) -> Result<StreamUpdate, DecodeError> {
         self.check_open()?;
-        let before = self.sizes();
+        let (vertices, triangles) = self.sizes();
         let mut waiting = std::mem::take(&mut self.waiting);
         waiting.extend_from_slice(bytes);
         let start = self.read;
@@ -110,7 +110,7 @@ impl StreamDecoder {
         waiting.drain(..(self.read - start) as usize);
         self.waiting = waiting;
         result?;
-        Ok(self.update_since(before))
+        Ok(self.update_since(vertices, triangles))
     }
 
     /// Accepts bytes like [`push`](Self::push), piece by piece, and reports progress in bytes; the callback can
@@ -146,7 +146,7 @@ impl StreamDecoder {
         while let Some(entry) = self.next_entry().filter(|entry| entry.bytes as usize <= bytes.len()) {
             let (chunk, rest) = bytes.split_at(entry.bytes as usize);
             self.check_chunk(chunk, entry)?;
-            self.read_chunk(chunk, entry, (rest.len(), true))?;
+            self.read_chunk(chunk, entry, rest.len(), true)?;
             self.read += u64::from(entry.bytes);
             self.chunk_count += 1;
             bytes = rest;
@@ -159,7 +159,7 @@ impl StreamDecoder {
         if let Some(data) = data.filter(|_| self.triangle_layers.is_none()) {
             let Some((own, rest)) = bytes.split_at_checked(data.bytes as usize) else { return Ok(()) };
             let count = self.growth().map_or(0, |growth| growth.triangle_count());
-            let layers = data.decode(own, count, (self.chunk_count, self.read))?;
+            let layers = data.decode(own, count, self.chunk_count, self.read)?;
             self.triangle_layers = Some(layers);
             self.read += u64::from(data.bytes);
             bytes = rest;
@@ -197,7 +197,7 @@ impl StreamDecoder {
     /// [`DecodeError`] if the stream ends before its base mesh does, or if the remaining bytes are invalid.
     pub fn finish(&mut self) -> Result<StreamUpdate, DecodeError> {
         self.check_open()?;
-        let before = self.sizes();
+        let (vertices, triangles) = self.sizes();
         if self.header.is_none() {
             let (found, expected) = (self.waiting.len() as u64, FIXED_HEADER_BYTES as u64);
             return Err(DecodeError::FileLength { found, expected: expected.max(found + 1) });
@@ -208,11 +208,11 @@ impl StreamDecoder {
         self.is_over = true;
         if let Some(entry) = self.next_entry() {
             let rest = std::mem::take(&mut self.waiting);
-            let result = self.read_chunk(&rest, entry, (0, false));
+            let result = self.read_chunk(&rest, entry, 0, false);
             self.catch_up();
             result?;
         }
-        Ok(self.update_since(before))
+        Ok(self.update_since(vertices, triangles))
     }
 
     /// Returns the table entry of the next chunk to decode, if any.
@@ -239,12 +239,13 @@ impl StreamDecoder {
         &mut self,
         bytes: &[u8],
         entry: ChunkEntry,
-        (more, is_complete): (usize, bool),
+        more: usize,
+        is_complete: bool,
     ) -> Result<(), StreamDefect> {
         let mut reader = RangeReader::new(bytes, is_complete);
         let most_wedges = max_extra_wedges(self.body_bytes() + bytes.len() as u64);
         let Some(refiner) = &mut self.refiner else {
-            self.read_base(&mut reader, (most_wedges, more))?;
+            self.read_base(&mut reader, most_wedges, more)?;
             self.begin_fragments();
             return Ok(());
         };
@@ -294,7 +295,8 @@ impl StreamDecoder {
     fn read_base(
         &mut self,
         reader: &mut RangeReader<'_>,
-        (most_wedges, more): (u64, usize),
+        most_wedges: u64,
+        more: usize,
     ) -> Result<(), StreamDefect> {
         let Some(header) = &self.header else { return Ok(()) };
         let parameters = StreamParameters {
@@ -359,7 +361,7 @@ impl StreamDecoder {
     }
 
     /// Lists the changes since the given vertex and triangle counts.
-    fn update_since(&mut self, (vertices, triangles): (usize, usize)) -> StreamUpdate {
+    fn update_since(&mut self, vertices: usize, triangles: usize) -> StreamUpdate {
         let (vertices_now, triangles_now) = self.sizes();
         let mut changed_triangles = match &mut self.refiner {
             Some(refiner) => std::mem::take(&mut refiner.level.growth.changed),

@@ -432,7 +432,8 @@ impl WedgeModel {
     pub(crate) fn base_corner<C: Coder>(
         &mut self,
         coder: &mut C,
-        (wedges, last): (Range<u32>, Option<u32>),
+        wedges: Range<u32>,
+        last: Option<u32>,
         actual: u32,
     ) -> u32 {
         let vertex = self.choose(coder, (ValueKind::BaseCorner, 0), ([last, None], wedges), actual);
@@ -444,7 +445,8 @@ impl WedgeModel {
     pub(crate) fn base_group<C: Coder>(
         &mut self,
         coder: &mut C,
-        (group_count, last): (u32, Option<u32>),
+        group_count: u32,
+        last: Option<u32>,
         actual: u32,
     ) -> u32 {
         self.choose(coder, (ValueKind::BaseGroup, 0), ([last, None], 0..group_count.max(1)), actual)

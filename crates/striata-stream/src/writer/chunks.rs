@@ -61,7 +61,7 @@ pub(crate) fn encode_chunks(
         has_general: descent.has_general(),
         ..parameters.clone()
     };
-    write(base, reference, (&parameters, refinable.sequence.step_count()), progress)
+    write(base, reference, &parameters, refinable.sequence.step_count(), progress)
 }
 
 /// Checks that batch boundaries rise from 0 to the number of steps.
@@ -80,7 +80,8 @@ pub(crate) fn check_batches(batches: &[u32], step_count: usize) -> Result<(), Ba
 fn write(
     base: Base,
     mut reference: ReferenceMesh<'_>,
-    (parameters, step_count): (&StreamParameters, usize),
+    parameters: &StreamParameters,
+    step_count: usize,
     progress: &mut ProgressFn<'_>,
 ) -> Result<Chunks, StreamError> {
     let limits = BaseLimits {
@@ -95,14 +96,14 @@ fn write(
     // Collapses keep a surface closed, so its base is always valid.
     let mut refiner = MeshRefiner::begin(&mut writer, &base, &parameters, &mut reference)
         .unwrap_or_else(|defect| panic!("collapses keep a surface closed: {defect}"));
-    push(&mut chunks, writer, (&refiner.level.growth, base.triangles.len()), &mut spent);
+    push(&mut chunks, writer, &refiner.level.growth, base.triangles.len(), &mut spent);
     while reference.order.len() < step_count {
         // The descent was the first half of the work.
         let (done, total) = ((step_count + reference.order.len()) as u64, 2 * step_count as u64);
         Progress { phase: "encode", done, total }.report(progress)?;
         let mut writer = RangeWriter::new();
         code_chunk(&mut refiner, &mut writer, &mut reference, step_count)?;
-        push(&mut chunks, writer, (&refiner.level.growth, 0), &mut spent);
+        push(&mut chunks, writer, &refiner.level.growth, 0, &mut spent);
     }
     let ReferenceMesh { order, source_vertex, base_positions, .. } = reference;
     let StreamParameters { max_patch, has_general, .. } = parameters;
@@ -113,7 +114,8 @@ fn write(
 fn push(
     chunks: &mut Vec<Chunk>,
     writer: RangeWriter,
-    (growth, base_triangles): (&GrowingMesh, usize),
+    growth: &GrowingMesh,
+    base_triangles: usize,
     spent: &mut [f64; PART_COUNT],
 ) {
     let (mut bytes, bits) = writer.finish();

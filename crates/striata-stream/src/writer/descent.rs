@@ -77,7 +77,7 @@ impl Descent {
             let done = step_count.saturating_sub(u64::from(batches[batch + 1]));
             Progress { phase: "encode", done, total: 2 * step_count }.report(progress)?;
             let steps = batches[batch] as usize..batches[batch + 1] as usize;
-            if !must_be_general[batch] && stage.collapse(&mut level, refinable, (batch, steps.clone()))? {
+            if !must_be_general[batch] && stage.collapse(&mut level, refinable, batch, steps.clone())? {
                 visits[batch] = stage.vertex_count() as u64;
                 continue;
             }

@@ -273,7 +273,7 @@ pub(crate) fn encode_splits(
     }
     let chunks = encode_chunks(refinable, (&descent, batches), (&points, &parameters), progress)?;
     let source_vertex = source_vertices(refinable, &chunks);
-    let header = header_of(refinable, batches, &chunks, (options, &parameters));
+    let header = header_of(refinable, batches, &chunks, options, &parameters);
     Ok(SplitChunks { header, chunks, source_vertex })
 }
 
@@ -336,7 +336,8 @@ fn header_of(
     refinable: &RefinableMesh,
     batches: &[u32],
     chunks: &Chunks,
-    (options, parameters): (&StreamOptions, &StreamParameters),
+    options: &StreamOptions,
+    parameters: &StreamParameters,
 ) -> StreamHeader {
     let (mesh, sequence) = (&refinable.mesh, &refinable.sequence);
     let group = |g: &striata::mesh::TriangleGroup| GroupName { name: g.name.clone(), material: g.material };

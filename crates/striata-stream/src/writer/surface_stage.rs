@@ -78,7 +78,8 @@ impl SurfaceStage {
         &mut self,
         level: &mut LevelTriangles,
         refinable: &RefinableMesh,
-        (batch, steps): (usize, Range<usize>),
+        batch: usize,
+        steps: Range<usize>,
     ) -> Result<bool, BatchDefect> {
         let before = self.undo.len();
         let sequence = &refinable.sequence;
@@ -104,7 +105,7 @@ impl SurfaceStage {
             self.undo.push(undo);
         }
         for (at, step) in (before..self.undo.len()).zip(steps.clone().rev()) {
-            self.check_removed(at, step, (level, refinable))?;
+            self.check_removed(at, step, level, refinable)?;
             self.update_corners(at, level, refinable);
         }
         self.batches.start = batch;
@@ -169,7 +170,8 @@ impl SurfaceStage {
         &self,
         at: usize,
         step: usize,
-        (level, refinable): (&LevelTriangles, &RefinableMesh),
+        level: &LevelTriangles,
+        refinable: &RefinableMesh,
     ) -> Result<(), BatchDefect> {
         let undo = &self.undo[at];
         let virtual_count = self.surface.virtual_count();

@@ -48,7 +48,8 @@ impl TriangleCount {
     pub(crate) fn of(
         document: &GltfDocument<'_>,
         primitive: &Primitive<'_>,
-        (vertex_count, run_size): (usize, usize),
+        vertex_count: usize,
+        run_size: usize,
         read_count: &mut u64,
     ) -> Result<Self, Fault> {
         if primitive.topology != PrimitiveTopology::List || primitive.draco.is_some() {

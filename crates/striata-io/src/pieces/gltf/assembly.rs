@@ -120,7 +120,7 @@ impl<'s> Assembly<'s> {
             let place = primitive.attributes.binary_search_by(|(semantic, _)| semantic.cmp(&layer.semantic));
             match place.map(|place| &primitive.attributes[place]) {
                 Ok((semantic, index)) => {
-                    let accessor = primitive.attribute(document, (semantic, *index))?;
+                    let accessor = primitive.attribute(document, semantic, *index)?;
                     outline.check_count(&accessor)?;
                     let values = elements(&accessor, &batch.numbers);
                     append(layer, &accessor.with_elements(&values), transform);

@@ -22,7 +22,8 @@ const TRIANGLES_PER_INPUT_BYTE: u64 = 1;
 pub(super) fn block_normals(
     outline: &SceneOutline,
     block: usize,
-    (document, piece_size): (&GltfDocument<'_>, usize),
+    document: &GltfDocument<'_>,
+    piece_size: usize,
 ) -> Result<Vec<[f32; 3]>, Fault> {
     let shown = &outline.blocks[block];
     let counts = shown.iter().map(|&shown| outline.triangle_count_of(&outline.shown[shown as usize]));

@@ -93,7 +93,7 @@ impl GltfPieces {
         for parts in parts.chunk_by(|a, b| self.outline.share_vertices(shown(a), shown(b))) {
             let batch = assembly.add(parts)?;
             if let Some(block) = batch.block() {
-                let compute = || block_normals(&self.outline, block, (&document, self.piece_size));
+                let compute = || block_normals(&self.outline, block, &document, self.piece_size);
                 let normals = self.normals.get(block as u64, compute, |normals| 12 * normals.len() as u64)?;
                 assembly.set_normals(&batch, &normals);
             }

@@ -62,8 +62,8 @@ impl OpenedDocument {
     /// Creates a document for one thread, which shares what it decompresses with others.
     pub(super) fn document(&self) -> Result<GltfDocument<'_>, Fault> {
         let chunk = self.chunk.clone().map(|range| &self.input.bytes[range]);
-        let (root, buffers) = ((&self.root, self.json_bytes), (&self.buffers, chunk));
-        let mut document = GltfDocument::new(root, buffers, self.input.source())?;
+        let source = self.input.source();
+        let mut document = GltfDocument::new(&self.root, self.json_bytes, &self.buffers, chunk, source)?;
         document.max_elements = MAX_ELEMENTS;
         document.unpacked.share(&self.cache);
         Ok(document)

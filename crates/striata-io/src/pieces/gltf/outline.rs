@@ -282,7 +282,7 @@ impl<'a> OutlineWalk<'a> {
         let at = self.document.item("meshes", mesh, &self.document.root)?;
         for (index, at) in at.entries("primitives")?.into_iter().enumerate() {
             if let Some(primitive) = Primitive::parse(&self.document, at)? {
-                self.add_primitive((mesh, index), &primitive)?;
+                self.add_primitive(mesh, index, &primitive)?;
             }
         }
         let range = first..self.outline.primitives.len() as u32;
@@ -290,7 +290,7 @@ impl<'a> OutlineWalk<'a> {
         Ok(range)
     }
 
-    fn add_primitive(&mut self, (mesh, index): (u64, usize), primitive: &Primitive<'a>) -> Result<(), Fault> {
+    fn add_primitive(&mut self, mesh: u64, index: usize, primitive: &Primitive<'a>) -> Result<(), Fault> {
         if self.document.unpacked.bytes() - self.unpacked_before > MAX_UNPACKED_BYTES {
             self.document = self.opened.document_after(&self.document)?;
             self.unpacked_before = self.document.unpacked.bytes();
@@ -302,7 +302,7 @@ impl<'a> OutlineWalk<'a> {
             return Err(primitive.at.fault(format!("{vertex_count} vertices are more than can be handled")));
         }
         let triangles =
-            TriangleCount::of(document, primitive, (vertex_count, self.run_size), &mut self.counted)?;
+            TriangleCount::of(document, primitive, vertex_count, self.run_size, &mut self.counted)?;
         let draco = primitive.draco.as_ref().map(DracoLink::key);
         let key: VertexKey = (primitive.position, primitive.attributes.clone(), draco);
         let next = self.vertex_sets.len() as u32;

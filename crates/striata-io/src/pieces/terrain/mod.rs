@@ -109,7 +109,7 @@ impl Terrain {
             groups: vec![PieceGroup::default()],
             triangle_count: 2 * size[0].saturating_sub(1) * size[1].saturating_sub(1),
             byte_count: paths.iter().filter_map(|path| std::fs::metadata(path).ok()).map(|m| m.len()).sum(),
-            georeference: Some(georeference(&first, corner, (step, z_scale))),
+            georeference: Some(georeference(&first, corner, step, z_scale)),
             ..PieceSummary::default()
         };
         Ok(Self { rasters: placed, size, step, z_scale, nodata, summary })
@@ -159,7 +159,7 @@ fn steps_in_units(placement: &RasterPlacement, north: f64, height: u64) -> [f64;
     [placement.step[0] * METERS_PER_DEGREE * across, placement.step[1] * METERS_PER_DEGREE]
 }
 
-fn georeference(placement: &RasterPlacement, corner: [f64; 2], (step, z_scale): ([f64; 2], f64)) -> Value {
+fn georeference(placement: &RasterPlacement, corner: [f64; 2], step: [f64; 2], z_scale: f64) -> Value {
     json!({
         "origin": corner,
         "sample_step": placement.step,

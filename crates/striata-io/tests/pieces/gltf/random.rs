@@ -26,7 +26,8 @@ pub(super) fn scene(random: &mut Random) -> TestScene {
 /// Adds an accessor of random values, perhaps with gaps or replacements; the type is one of these.
 fn push_values(
     scene: &mut TestScene,
-    (count, kind): (usize, &'static str),
+    count: usize,
+    kind: &'static str,
     types: &[(u32, bool)],
     random: &mut Random,
 ) -> usize {
@@ -47,7 +48,7 @@ const FLOATS: (u32, bool) = (5126, false);
 
 fn push_attributes(scene: &mut TestScene, count: usize, random: &mut Random) -> (Value, Vec<Value>) {
     let positions = [FLOATS, FLOATS, (5122, false), (5123, true), (5121, false), (5120, true)];
-    let mut attributes = json!({ "POSITION": push_values(scene, (count, "VEC3"), &positions, random) });
+    let mut attributes = json!({ "POSITION": push_values(scene, count, "VEC3", &positions, random) });
     let color = ["VEC3", "VEC4"][random.below(2)];
     let fractions = [FLOATS, (5121, true), (5123, true)];
     let identifiers = [FLOATS, (5121, false), (5123, false), (5125, false)];
@@ -60,21 +61,21 @@ fn push_attributes(scene: &mut TestScene, count: usize, random: &mut Random) -> 
         ("_ID", "SCALAR", &identifiers),
     ] {
         if random.below(2) == 0 {
-            attributes[name] = json!(push_values(scene, (count, kind), types, random));
+            attributes[name] = json!(push_values(scene, count, kind, types, random));
         }
     }
     if random.below(3) == 0 {
         let joints: Vec<f64> = (0..4 * count).map(|_| random.below(3) as f64).collect();
         let component = [5121, 5123][random.below(2)];
         attributes["JOINTS_0"] = json!(Numbers::new(component, "VEC4").push(scene, &joints));
-        attributes["WEIGHTS_0"] = json!(push_values(scene, (count, "VEC4"), &fractions, random));
+        attributes["WEIGHTS_0"] = json!(push_values(scene, count, "VEC4", &fractions, random));
     }
     let mut targets = Vec::new();
     for _ in 0..random.below(3) {
         let mut target = json!({});
         for name in ["POSITION", "NORMAL", "TANGENT"] {
             if random.below(2) == 0 {
-                target[name] = json!(push_values(scene, (count, "VEC3"), &directions, random));
+                target[name] = json!(push_values(scene, count, "VEC3", &directions, random));
             }
         }
         targets.push(target);

@@ -68,7 +68,7 @@ pub(super) fn order(
         .map(|primitive| primitive.vertex_accessors().next().map(|accessor| number_of[&accessor]))
         .collect();
     let counts = vertex_counts(document, &number_of, roles);
-    let (indices, fixed) = sorted_triangles(document, (primitives, &groups), &counts, roles);
+    let (indices, fixed) = sorted_triangles(document, primitives, &groups, &counts, roles);
     let mut order = MeshoptOrder { number_of, orders: BTreeMap::new(), indices };
     order.sort_vertices(primitives, &groups, &counts, &fixed);
     order
@@ -96,7 +96,8 @@ fn vertex_counts(
 /// Returns index lists, with sorted triangles where possible, and the groups whose vertices must stay.
 fn sorted_triangles(
     document: &GltfDocument<'_>,
-    (primitives, groups): (&[PassPrimitive], &[Option<usize>]),
+    primitives: &[PassPrimitive],
+    groups: &[Option<usize>],
     counts: &BTreeMap<usize, usize>,
     roles: &Roles,
 ) -> (BTreeMap<u64, Vec<u32>>, BTreeSet<usize>) {

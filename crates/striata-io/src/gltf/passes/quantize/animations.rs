@@ -37,7 +37,8 @@ enum ChannelRule {
 /// Rounds the keyframes of all animations.
 pub(super) fn quantize(
     document: &GltfDocument<'_>,
-    (options, texcoords): (&QuantizeOptions, Texcoords),
+    options: &QuantizeOptions,
+    texcoords: Texcoords,
     changes: &mut DocumentChanges<'_>,
 ) {
     let is_packed = texcoords == Texcoords::Floats;

@@ -39,32 +39,31 @@ enum AttributePart<'a> {
 }
 
 /// Converts and replaces accessors.
-struct AttributeQuantizer<'a, 'c, 'r> {
+pub(super) struct AttributeQuantizer<'a, 'c, 'r> {
     document: &'a GltfDocument<'a>,
     grids: &'a Grids,
-    options: (&'a QuantizeOptions, Texcoords),
+    options: &'a QuantizeOptions,
+    texcoords: Texcoords,
     changes: &'c mut DocumentChanges<'r>,
     /// Replacements; [`None`] if an accessor stays as it is.
     known: BTreeMap<(u64, ConversionRule), Option<usize>>,
     known_weights: BTreeMap<Vec<u64>, Option<Vec<usize>>>,
 }
 
-/// Quantizes everything that belongs to the primitives.
-pub(super) fn quantize(
-    (document, primitives): (&GltfDocument<'_>, &[PassPrimitive]),
-    grids: &Grids,
-    options: (&QuantizeOptions, Texcoords),
-    changes: &mut DocumentChanges<'_>,
-) {
-    let (known, known_weights) = (BTreeMap::new(), BTreeMap::new());
-    let mut quantizer = AttributeQuantizer { document, grids, options, changes, known, known_weights };
-    for primitive in primitives {
-        quantizer.quantize(primitive);
+impl<'a, 'c, 'r> AttributeQuantizer<'a, 'c, 'r> {
+    pub(super) fn new(
+        document: &'a GltfDocument<'a>,
+        grids: &'a Grids,
+        options: &'a QuantizeOptions,
+        texcoords: Texcoords,
+        changes: &'c mut DocumentChanges<'r>,
+    ) -> Self {
+        let (known, known_weights) = (BTreeMap::new(), BTreeMap::new());
+        Self { document, grids, options, texcoords, changes, known, known_weights }
     }
-}
 
-impl AttributeQuantizer<'_, '_, '_> {
-    fn quantize(&mut self, primitive: &PassPrimitive) {
+    /// Quantizes everything that belongs to a primitive.
+    pub(super) fn quantize(&mut self, primitive: &PassPrimitive) {
         let grid = self.grids.number(primitive.mesh);
         let is_free = primitive.has_triangles() && are_free_of_values(&primitive.extensions);
         for (name, accessor) in &primitive.attributes {
@@ -126,7 +125,7 @@ impl AttributeQuantizer<'_, '_, '_> {
     /// Adds an accessor of converted numbers.
     fn converted(&mut self, index: u64, rule: ConversionRule, role: &str) -> Option<usize> {
         let source = accessor(self.document, index, &self.document.root).ok()?;
-        let elements = convert_by(&source, rule, self.grids, self.options)?;
+        let elements = convert_by(&source, rule, self.grids, self.options, self.texcoords)?;
         let old = self.document.item("accessors", index, &self.document.root).ok()?.value;
         if elements.bytes.is_empty() || old.get("bufferView").is_none() && old.get("sparse").is_none() {
             // Zeros take no bytes.
@@ -217,7 +216,8 @@ fn convert_by(
     source: &Accessor<'_>,
     rule: ConversionRule,
     grids: &Grids,
-    (options, texcoords): (&QuantizeOptions, Texcoords),
+    options: &QuantizeOptions,
+    texcoords: Texcoords,
 ) -> Option<Elements> {
     let is_float = source.component == GltfComponentType::F32;
     let (width, floats) = (source.component_count, || source.floats());

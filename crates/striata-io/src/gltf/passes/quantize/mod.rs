@@ -27,6 +27,7 @@ use std::collections::BTreeSet;
 
 use serde_json::Value;
 
+use self::attributes::AttributeQuantizer;
 use super::additions::{Additions, plain_view};
 use super::compact::compact;
 use super::extensions;
@@ -70,8 +71,9 @@ pub(in crate::gltf) fn quantize(parts: &mut GltfParts, options: &QuantizeOptions
     };
     let mut grids = shared_grids::grids(&document, &primitives, &are_read, options);
     let placements = placement::placements(&document, &mut grids);
-    attributes::quantize((&document, &primitives), &grids, (options, texcoords), &mut changes);
-    animations::quantize(&document, (options, texcoords), &mut changes);
+    let mut attributes = AttributeQuantizer::new(&document, &grids, options, texcoords, &mut changes);
+    primitives.iter().for_each(|primitive| attributes.quantize(primitive));
+    animations::quantize(&document, options, texcoords, &mut changes);
     placement::apply(&document, &grids, placements, &mut changes);
     let DocumentChanges { additions, replaced, needs_extension, .. } = changes;
     additions.apply(parts, plain_view);

@@ -69,7 +69,7 @@ pub(super) fn apply(
                 let is_free = is_first && use_counts.get(&skin) == Some(&count);
                 let Some(number) = grids.grids[grid]
                     .and_then(|grid| matrices(document, skin, &grid))
-                    .and_then(|matrices| converted_skin(changes, (root, skin), is_free, &matrices))
+                    .and_then(|matrices| converted_skin(changes, root, skin, is_free, &matrices))
                 else {
                     continue;
                 };
@@ -86,7 +86,8 @@ pub(super) fn apply(
 /// Sets the matrices of a skin or of a copy of it, and returns its number.
 fn converted_skin(
     changes: &mut DocumentChanges<'_>,
-    (snapshot, skin): (&Value, usize),
+    snapshot: &Value,
+    skin: usize,
     is_free: bool,
     matrices: &Elements,
 ) -> Option<usize> {
