@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use striata_paged::{Grid, Metadata, Page, PageId, PagedLayer};
+use striata_paged::{PagedGrid, Metadata, Page, PageId, PagedLayer};
 
 fn metadata() -> Metadata {
     let layer = |semantic: &str, component_type: &str, step| PagedLayer {
@@ -14,7 +14,7 @@ fn metadata() -> Metadata {
     };
     Metadata {
         cell_counts: vec![4, 1],
-        grid: Some(Grid { origin: [0.0; 3], step: [0.25; 3] }),
+        grid: Some(PagedGrid { origin: [0.0; 3], step: [0.25; 3] }),
         layers: vec![layer("texcoord_0", "f32", Some(0.001)), layer("generic_a", "u8", None)],
         ..Metadata::default()
     }

@@ -16,7 +16,7 @@ use striata::ignore_progress;
 use striata::mesh::{DistanceOptions, IndexedMesh, RefinableMesh, replay, surface_distance};
 use striata::simplify::build_sequence;
 use striata_paged::PagedFile;
-use striata_paged::build::{BuildInput, BuildOptions, Plan, run_all};
+use striata_paged::build::{BuildInput, BuildOptions, BuildPaths, PagedPlan, run_all};
 use table::Table;
 
 type Fallible<T> = Result<T, Box<dyn Error>>;
@@ -80,7 +80,13 @@ fn compare(name: &str, cell: usize) -> Fallible<Vec<Compared>> {
     };
     let options = BuildOptions { cell, exact: true, ..BuildOptions::default() };
     let (output, work) = (folder.path().join("paged.striata"), folder.path().join("work"));
-    let plan = Plan::make((input, options), &output, &work, (2, &mut ignore_progress))?;
+    let plan = PagedPlan::make(
+        input,
+        options,
+        BuildPaths { output: &output, folder: &work },
+        2,
+        &mut ignore_progress,
+    )?;
     run_all(&plan, 2, &mut ignore_progress)?;
     let mut file = PagedFile::open(&output.to_string_lossy())?;
     let paged = file.level_for_triangles(usize::MAX)?.refinable;

@@ -2,7 +2,7 @@
 
 use striata::mesh::{CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts};
 
-use crate::loaded::{LoadedPages, Place, coarse_vertices};
+use crate::loaded::{LoadedPages, VertexPlace, coarse_vertices};
 use crate::mesh_parts::{Triangles, appearance, gathered_layers, grouped};
 use crate::replaced::Replaced;
 use crate::{Metadata, Page, PagedError};
@@ -36,7 +36,7 @@ impl Assembled {
 /// [`PagedError::Mismatch`] if a parent of a page is absent or the pages do not fit together.
 pub fn assemble(pages: &[(u32, &Page)], metadata: &Metadata) -> Result<Assembled, PagedError> {
     let loaded = LoadedPages::new(pages)?;
-    let order = Order::new(&loaded);
+    let order = PositionOrder::new(&loaded);
     let (groups, triangles, triangle_layers) = grouped(full_triangles(&loaded, &order), metadata);
     let sequence = sequence(&order, order.targets(&loaded), &triangles)?;
     let mesh = IndexedMesh {
@@ -62,21 +62,21 @@ pub fn assemble(pages: &[(u32, &Page)], metadata: &Metadata) -> Result<Assembled
 }
 
 /// The refinement order of all positions.
-struct Order {
+struct PositionOrder {
     /// Slot and number of each position; those of the base come first.
     positions: Vec<(u32, u32)>,
     base_position_count: usize,
     /// Vertices of each position.
     index: PositionIndex,
     /// Page and number of each vertex.
-    vertices: Vec<Place>,
+    vertices: Vec<VertexPlace>,
     /// Place in this order of each vertex as the loaded pages number it.
     rank: Vec<u32>,
     /// Error of each step.
     errors: Vec<f32>,
 }
 
-impl Order {
+impl PositionOrder {
     fn new(loaded: &LoadedPages<'_>) -> Self {
         let mut positions = Vec::new();
         for (slot, page) in (0..).zip(loaded.pages()) {
@@ -93,7 +93,7 @@ impl Order {
         for &(slot, p) in &positions {
             let page = loaded.page(slot);
             for vertex in page.first[p as usize]..page.first[p as usize + 1] {
-                let place = Place { slot, vertex };
+                let place = VertexPlace { slot, vertex };
                 rank[loaded.number(place) as usize] = vertices.len() as u32;
                 vertices.push(place);
             }
@@ -141,7 +141,7 @@ impl Order {
 }
 
 /// All triangles at the full detail of the pages: those of each page that no finer page replaces.
-fn full_triangles(loaded: &LoadedPages<'_>, order: &Order) -> Triangles {
+fn full_triangles(loaded: &LoadedPages<'_>, order: &PositionOrder) -> Triangles {
     let mut replaced: Vec<Replaced> = (0..loaded.len()).map(|_| Replaced::default()).collect();
     let mut runs = Vec::with_capacity(loaded.len());
     for slot in (0..loaded.len() as u32).rev() {
@@ -173,14 +173,14 @@ fn full_triangles(loaded: &LoadedPages<'_>, order: &Order) -> Triangles {
     }
     let mut triangles = Triangles::default();
     for (run, (page, places)) in runs.into_iter().rev() {
-        triangles.extend(run, (page, &places));
+        triangles.extend(run, page, &places);
     }
     triangles
 }
 
 /// The sequence of steps, with the number of triangles that each removes.
 fn sequence(
-    order: &Order,
+    order: &PositionOrder,
     targets: Vec<u32>,
     triangles: &[[u32; 3]],
 ) -> Result<CollapseSequence, PagedError> {

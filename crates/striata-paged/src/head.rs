@@ -88,7 +88,7 @@ fn write_head_with(
 ) -> Vec<u8> {
     // Serializing plain data cannot fail.
     let json = serde_json::to_vec(metadata).unwrap_or_default();
-    let (root, leaves) = write_directory(&Quantizer::of(metadata), entries, max_root_pages);
+    let (root, leaves) = write_directory(&BoundsQuantizer::of(metadata), entries, max_root_pages);
     let pages_offset = PREFIX_BYTES + (json.len() + root.len() + leaves.len()) as u64;
     let mut bytes = PAGED_MAGIC.to_vec();
     bytes.extend(VERSION.to_le_bytes());
@@ -108,7 +108,7 @@ fn write_head_with(
 }
 
 fn write_directory(
-    quantizer: &Quantizer,
+    quantizer: &BoundsQuantizer,
     entries: &[PageEntry],
     max_root_pages: usize,
 ) -> (Vec<u8>, Vec<u8>) {
@@ -158,12 +158,12 @@ fn class_of(x: f32, zero_bits: u32) -> [u8; 2] {
 }
 
 /// Coordinates as shares of the bounds of the mesh, in 16 bits, rounded outward.
-struct Quantizer {
+struct BoundsQuantizer {
     min: [f64; 3],
     step: [f64; 3],
 }
 
-impl Quantizer {
+impl BoundsQuantizer {
     const LARGEST: f64 = 65_535.0;
 
     fn of(metadata: &Metadata) -> Self {
@@ -199,7 +199,7 @@ impl Quantizer {
     }
 }
 
-fn write_entries(quantizer: &Quantizer, entries: &[PageEntry], first: u32) -> Vec<u8> {
+fn write_entries(quantizer: &BoundsQuantizer, entries: &[PageEntry], first: u32) -> Vec<u8> {
     let mut bytes = Vec::new();
     for (index, entry) in (first..).zip(entries) {
         bytes.push(entry.id.level);
@@ -311,17 +311,17 @@ impl Prefix {
         let metadata: Metadata =
             serde_json::from_slice(json).map_err(|error| HeadDefect::Metadata(error.to_string()))?;
         metadata.check().map_err(HeadDefect::Metadata)?;
-        let root = parse_root(&Quantizer::of(&metadata), root)?;
+        let root = parse_root(&BoundsQuantizer::of(&metadata), root)?;
         Ok((metadata, root))
     }
 }
 
-fn parse_root(quantizer: &Quantizer, bytes: &[u8]) -> Result<Root, HeadDefect> {
+fn parse_root(quantizer: &BoundsQuantizer, bytes: &[u8]) -> Result<Root, HeadDefect> {
     let mut parser = Parser { bytes };
     let page_count = parser.count(MAX_PAGES)?;
     let leaf_count = parser.varint()?;
     if leaf_count == 0 {
-        return parse_entries(quantizer, &mut parser, (0, page_count, 0)).map(Root::Entries);
+        return parse_entries(quantizer, &mut parser, 0, page_count, 0).map(Root::Entries);
     }
     if leaf_count != u64::from(page_count).div_ceil(LEAF_PAGES as u64) {
         return Err(HeadDefect::Count(leaf_count));
@@ -350,18 +350,19 @@ impl Leaf {
         if bytes.len() as u64 != self.byte_count || crc32fast::hash(bytes) != self.crc {
             return Err(HeadDefect::Checksum("directory").into());
         }
-        let range = (self.first_page, self.page_count, self.page_offset);
-        Ok(parse_entries(&Quantizer::of(metadata), &mut Parser { bytes }, range)?)
+        let (quantizer, mut parser) = (BoundsQuantizer::of(metadata), Parser { bytes });
+        Ok(parse_entries(&quantizer, &mut parser, self.first_page, self.page_count, self.page_offset)?)
     }
 }
 
 fn parse_entries(
-    quantizer: &Quantizer,
+    quantizer: &BoundsQuantizer,
     parser: &mut Parser<'_>,
-    (first, count, offset): (u32, u32, u64),
+    first: u32,
+    count: u32,
+    mut offset: u64,
 ) -> Result<Vec<PageEntry>, HeadDefect> {
     let mut entries: Vec<PageEntry> = Vec::new();
-    let mut offset = offset;
     for index in first..first + count {
         let [level] = parser.array()?;
         let cell = parser.count(u64::MAX)?;
@@ -489,7 +490,7 @@ mod tests {
     #[test]
     fn damage_behind_checksums_is_found_or_harmless() {
         let entries = entries(20);
-        let quantizer = Quantizer::of(&metadata());
+        let quantizer = BoundsQuantizer::of(&metadata());
         let root = write_directory(&quantizer, &entries, 100).0;
         for at in 0..root.len() {
             for bit in 0..8 {

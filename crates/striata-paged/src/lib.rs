@@ -42,13 +42,13 @@ mod replaced;
 mod store;
 
 pub use assemble::{Assembled, assemble};
-pub use cut::{Cut, CutPages};
+pub use cut::{CutPages, PagedCut};
 pub use directory::{PageBound, PageEntry, page_path};
 pub use error::{HeadDefect, PageDefect, PagedError};
 pub use head::{HEAD_NAME, Leaf, PAGED_MAGIC, PREFIX_BYTES, Prefix, Root, write_head};
-pub use metadata::{Grid, Metadata, PagedGroup, PagedLayer};
+pub use metadata::{Metadata, PagedGrid, PagedGroup, PagedLayer};
 pub use page::{Import, Page, PageId};
 pub use paged_file::{PagedFile, ReadStatistics};
 pub use paged_view::ViewCut;
-pub use reader::{PagedReader, Place, Want};
+pub use reader::{PagedReader, StoredPlace, Want};
 pub use store::{FileStore, Store, open_store};

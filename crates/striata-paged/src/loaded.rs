@@ -7,7 +7,7 @@ use crate::{Page, PagedError};
 
 /// A vertex of a loaded page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Place {
+pub(crate) struct VertexPlace {
     /// Place of the page in the list of loaded pages.
     pub slot: u32,
     /// Number of the vertex among those that the page owns.
@@ -20,7 +20,7 @@ pub(crate) struct LoadedPages<'a> {
     /// Number of the first vertex of each page in a common numbering, then the number of all vertices.
     first_vertex: Vec<u32>,
     /// Page and number of each vertex that a page imports, by page.
-    imports: Vec<Vec<Place>>,
+    imports: Vec<Vec<VertexPlace>>,
 }
 
 impl<'a> LoadedPages<'a> {
@@ -54,11 +54,11 @@ impl<'a> LoadedPages<'a> {
                 };
                 let reason = "a vertex that it imports is in no coarser page";
                 match owner.filter(has_vertex) {
-                    Some(slot) => Ok(Place { slot, vertex: import.vertex }),
+                    Some(slot) => Ok(VertexPlace { slot, vertex: import.vertex }),
                     None => Err(PagedError::Mismatch { id: page.id, reason }),
                 }
             });
-            imports.push(places.collect::<Result<Vec<Place>, PagedError>>()?);
+            imports.push(places.collect::<Result<Vec<VertexPlace>, PagedError>>()?);
         }
         Ok(Self { pages, first_vertex, imports })
     }
@@ -84,12 +84,12 @@ impl<'a> LoadedPages<'a> {
     }
 
     /// Page and number of each vertex that a page imports.
-    pub(crate) fn imports_of(&self, slot: u32) -> &[Place] {
+    pub(crate) fn imports_of(&self, slot: u32) -> &[VertexPlace] {
         &self.imports[slot as usize]
     }
 
     /// Number of a vertex in the numbering of all loaded pages, in which coarse pages come first.
-    pub(crate) fn number(&self, place: Place) -> u32 {
+    pub(crate) fn number(&self, place: VertexPlace) -> u32 {
         self.first_vertex[place.slot as usize] + place.vertex
     }
 
@@ -99,9 +99,9 @@ impl<'a> LoadedPages<'a> {
     }
 
     /// The vertex with a number.
-    pub(crate) fn place(&self, number: u32) -> Place {
+    pub(crate) fn place(&self, number: u32) -> VertexPlace {
         let slot = self.first_vertex.partition_point(|&first| first <= number) as u32 - 1;
-        Place { slot, vertex: number - self.first_vertex[slot as usize] }
+        VertexPlace { slot, vertex: number - self.first_vertex[slot as usize] }
     }
 
     /// Number of a vertex as a page numbers it: owned vertices, then imports.

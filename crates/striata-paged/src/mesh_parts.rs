@@ -3,7 +3,7 @@
 use serde_json::Value;
 use striata::mesh::{Appearance, AttributeLayer, ColorSpace, Image, Material, TriangleGroup};
 
-use crate::loaded::{LoadedPages, Place};
+use crate::loaded::{LoadedPages, VertexPlace};
 use crate::{Metadata, Page};
 
 /// Triangles of a mesh that is made of pages.
@@ -17,7 +17,7 @@ pub(crate) struct Triangles {
 
 impl Triangles {
     /// Adds triangles of a page, with the places where it has them.
-    pub(crate) fn extend(&mut self, list: Vec<([u32; 3], u32)>, (page, places): (&Page, &[u32])) {
+    pub(crate) fn extend(&mut self, list: Vec<([u32; 3], u32)>, page: &Page, places: &[u32]) {
         self.list.extend(list);
         let rows = page.triangle_rows(places);
         if self.layers.is_empty() {
@@ -61,18 +61,19 @@ pub(crate) fn grouped(
 /// Attribute layers of some vertices, without the layer that only tells materials apart.
 pub(crate) fn gathered_layers(
     loaded: &LoadedPages<'_>,
-    vertices: &[Place],
+    vertices: &[VertexPlace],
     metadata: &Metadata,
 ) -> Vec<AttributeLayer> {
     let layers = metadata.empty_mesh().layers.into_iter().enumerate();
     let layers = layers.filter(|(_, layer)| !Metadata::is_material_layer(layer));
-    layers.map(|(index, layer)| gathered(loaded, vertices, (index, layer))).collect()
+    layers.map(|(index, layer)| gathered(loaded, vertices, index, layer)).collect()
 }
 
 fn gathered(
     loaded: &LoadedPages<'_>,
-    vertices: &[Place],
-    (index, mut layer): (usize, AttributeLayer),
+    vertices: &[VertexPlace],
+    index: usize,
+    mut layer: AttributeLayer,
 ) -> AttributeLayer {
     let width = layer.component_count as usize;
     for at in vertices {

@@ -8,7 +8,7 @@ use striata::simplify::cells::CellMesh;
 
 /// Regular positions: `origin + step * i` for integers `i`, computed in f64 and rounded to f32.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Grid {
+pub struct PagedGrid {
     /// Position of the integers 0, in mesh units.
     pub origin: [f64; 3],
     /// Distance of neighboring positions along each axis, in mesh units.
@@ -80,7 +80,7 @@ pub struct Metadata {
     /// Largest coordinates relative to the origin, in mesh units.
     pub max: [f32; 3],
     /// Grid of the positions; `None` if they are stored exactly.
-    pub grid: Option<Grid>,
+    pub grid: Option<PagedGrid>,
     /// Attribute layers.
     pub layers: Vec<PagedLayer>,
     /// Attribute layers of the triangles; all are exact.
@@ -110,7 +110,7 @@ pub(crate) fn index_of(value: f32, step: f64) -> i64 {
 /// Name of the layer that tells wedges of different materials apart.
 const MATERIAL: &str = "generic_material";
 
-impl Grid {
+impl PagedGrid {
     /// A grid that covers a box, with a step for each axis; a step of 0 becomes the smallest one possible.
     /// `None` if a step is too fine for the box.
     pub fn of(min: [f32; 3], max: [f32; 3], step: [f64; 3]) -> Option<Self> {
@@ -318,7 +318,7 @@ mod tests {
         for (min, max, step) in
             [(-1.0f32, 3.0, 1e-4), (1e6, 1e6 + 10.0, 1e-6), (0.0, 0.0, 0.0), (-3e4, 5e4, 0.125)]
         {
-            let grid = Grid::of([min; 3], [max; 3], [step, 2.0 * step, step]).unwrap();
+            let grid = PagedGrid::of([min; 3], [max; 3], [step, 2.0 * step, step]).unwrap();
             for i in 0..1000 {
                 let p = [min + (max - min) * i as f32 / 999.0; 3];
                 let snapped = grid.snap(p);
@@ -329,13 +329,13 @@ mod tests {
 
     #[test]
     fn steps_are_one_number_or_three() {
-        let json = |step| serde_json::to_value(Grid { origin: [0.0; 3], step }).unwrap();
+        let json = |step| serde_json::to_value(PagedGrid { origin: [0.0; 3], step }).unwrap();
         for step in [[0.25; 3], [0.25, 0.5, 0.25]] {
-            let again: Grid = serde_json::from_value(json(step)).unwrap();
+            let again: PagedGrid = serde_json::from_value(json(step)).unwrap();
             assert_eq!(again.step, step);
         }
         assert_eq!(json([0.25; 3])["step"], 0.25);
-        assert_eq!(Grid::of([0.0; 3], [1.0, 1.0, 1e15], [1e-3; 3]), None, "too fine for one axis");
+        assert_eq!(PagedGrid::of([0.0; 3], [1.0, 1.0, 1e15], [1e-3; 3]), None, "too fine for one axis");
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use striata::view::{Criterion, Part, ScreenError, Sphere};
 
-use crate::{Cut, PageBound, PagedError, PagedFile, PagedReader};
+use crate::{PageBound, PagedCut, PagedError, PagedFile, PagedReader};
 
 /// A tolerance is relaxed by at most this factor.
 const MAX_RELAXATION: f32 = 1e9;
@@ -17,7 +17,7 @@ const GOOD_SHARE: f64 = 0.97;
 #[derive(Clone, Debug)]
 pub struct ViewCut {
     /// The level.
-    pub cut: Cut,
+    pub cut: PagedCut,
     /// All tolerances have been multiplied by this, at least 1, to respect the triangle limit.
     pub relaxation: f32,
     /// Whether the triangle limit, if any, is respected.
@@ -47,11 +47,11 @@ impl PagedFile {
     ///
     /// # Errors
     /// [`PagedError`] if a page cannot be read or does not fit to the others.
-    pub fn level_for(&mut self, criterion: &(impl Criterion + Sync)) -> Result<Cut, PagedError> {
+    pub fn level_for(&mut self, criterion: &(impl Criterion + Sync)) -> Result<PagedCut, PagedError> {
         let pages = self.select(|bound| criterion.weigh(&bound.part()).should_refine())?;
         let error = self.reader().error_without(&pages);
         let cut = self.cut_pages(&pages)?.cut(|part| criterion.weigh(part).should_refine());
-        Ok(Cut { error: cut.error.max(error), ..cut })
+        Ok(PagedCut { error: cut.error.max(error), ..cut })
     }
 
     /// The level for a view, with relaxed tolerances if it would have more triangles than allowed.
@@ -77,7 +77,7 @@ impl PagedFile {
             let next = (high / COARSE_STEP).max(1.0);
             let cut = self.level_for(&criterion.clone().relaxed(next))?;
             if cut.mesh.triangle_count() > limit {
-                low = Some((next, cut.mesh.triangle_count()));
+                low = Some(TriedTolerance { relaxation: next, triangle_count: cut.mesh.triangle_count() });
                 break;
             }
             (high, best) = (next, cut);
@@ -90,10 +90,12 @@ impl PagedFile {
             if count as f64 >= GOOD_SHARE * limit as f64 {
                 break;
             }
-            let middle = between((low.0, low.1), (high, count), limit);
+            let middle = between(low, TriedTolerance { relaxation: high, triangle_count: count }, limit);
             let cut = self.level_for(&criterion.clone().relaxed(middle))?;
             match cut.mesh.triangle_count() {
-                found if found > limit => low = (middle, found),
+                found if found > limit => {
+                    low = TriedTolerance { relaxation: middle, triangle_count: found };
+                }
                 _ => (high, best) = (middle, cut),
             }
         }
@@ -101,8 +103,17 @@ impl PagedFile {
     }
 }
 
+/// A relaxation of the tolerance, and the number of triangles that it leaves.
+#[derive(Clone, Copy)]
+struct TriedTolerance {
+    relaxation: f32,
+    triangle_count: usize,
+}
+
 /// A tolerance between two others, where about `limit` triangles are expected: counts follow powers of tolerances.
-fn between((low, many): (f32, usize), (high, few): (f32, usize), limit: usize) -> f32 {
+fn between(finer: TriedTolerance, coarser: TriedTolerance, limit: usize) -> f32 {
+    let (low, high) = (finer.relaxation, coarser.relaxation);
+    let (many, few) = (finer.triangle_count, coarser.triangle_count);
     let logarithm = |count: usize| (count.max(1) as f64).log2();
     let wanted = logarithm(limit) + GOOD_SHARE.log2() / 2.0;
     let share = (logarithm(many) - wanted) / (logarithm(many) - logarithm(few)).max(1e-9);

@@ -17,7 +17,7 @@ const MAX_WANT: u64 = 8 << 20;
 
 /// File or object that contains bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Place {
+pub enum StoredPlace {
     /// The file, or the head of a folder or bucket.
     Head,
     /// A page that is an object of its own.
@@ -28,7 +28,7 @@ pub enum Place {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Want {
     /// File or object that contains them.
-    pub place: Place,
+    pub place: StoredPlace,
     /// Which bytes; the first want may reach beyond the end of a small file.
     pub range: Range<u64>,
 }
@@ -40,13 +40,13 @@ pub struct Want {
 #[derive(Debug, Default)]
 pub struct PagedReader {
     head_bytes: Vec<u8>,
-    head: Option<Head>,
+    head: Option<ReadHead>,
     requested: BTreeSet<u32>,
     pages: BTreeMap<u32, Page>,
 }
 
 #[derive(Debug)]
-struct Head {
+struct ReadHead {
     prefix: Prefix,
     metadata: Metadata,
     page_count: u32,
@@ -166,7 +166,7 @@ impl PagedReader {
 
     /// Largest errors in parts of the directory that have not been read, in mesh units.
     pub(crate) fn unread_errors(&self) -> impl Iterator<Item = f32> {
-        let unread = |head: &Head, leaf: &Leaf| !head.entries.contains_key(&leaf.first_page);
+        let unread = |head: &ReadHead, leaf: &Leaf| !head.entries.contains_key(&leaf.first_page);
         self.head.iter().flat_map(move |head| {
             head.leaves.iter().filter(move |leaf| unread(head, leaf)).map(|leaf| leaf.bound.error)
         })
@@ -178,20 +178,20 @@ impl PagedReader {
         let Some(head) = &self.head else {
             let need = Prefix::parse(&self.head_bytes)
                 .map_or(FIRST_BYTES, |prefix| PREFIX_BYTES + prefix.metadata_bytes + prefix.root_bytes);
-            return vec![Want { place: Place::Head, range: have..need.max(have + 1) }];
+            return vec![Want { place: StoredPlace::Head, range: have..need.max(have + 1) }];
         };
         let leaves_at = head.leaves_offset();
         let mut wants: Vec<Want> = Vec::new();
         for &index in &head.wanted_leaves {
             let leaf = &head.leaves[index as usize];
             let first = leaves_at + leaf.offset;
-            wants.push(Want { place: Place::Head, range: first..first + leaf.byte_count });
+            wants.push(Want { place: StoredPlace::Head, range: first..first + leaf.byte_count });
         }
         for &index in self.requested.iter().filter(|index| !self.pages.contains_key(index)) {
             let Some(entry) = head.entries.get(&index) else { continue };
             let size = u64::from(entry.byte_count);
             if head.prefix.is_separate {
-                wants.push(Want { place: Place::Page(entry.id), range: 0..size });
+                wants.push(Want { place: StoredPlace::Page(entry.id), range: 0..size });
                 continue;
             }
             let first = head.prefix.pages_offset + entry.offset;
@@ -203,7 +203,7 @@ impl PagedReader {
                 {
                     last.range.end = first + size;
                 }
-                _ => wants.push(Want { place: Place::Head, range: first..first + size }),
+                _ => wants.push(Want { place: StoredPlace::Head, range: first..first + size }),
             }
         }
         wants
@@ -225,7 +225,7 @@ impl PagedReader {
         let Some(head) = &mut self.head else {
             return arrived.iter().try_for_each(|(want, bytes)| self.supply_head(want, bytes));
         };
-        for (want, bytes) in arrived.iter().filter(|(want, _)| want.place == Place::Head) {
+        for (want, bytes) in arrived.iter().filter(|(want, _)| want.place == StoredPlace::Head) {
             head.supply_leaves(want, bytes)?;
         }
         let head = &*head;
@@ -244,7 +244,7 @@ impl PagedReader {
 
     fn supply_head(&mut self, want: &Want, bytes: &[u8]) -> Result<(), PagedError> {
         let have = self.head_bytes.len() as u64;
-        if want.place != Place::Head || want.range.start != have || bytes.is_empty() {
+        if want.place != StoredPlace::Head || want.range.start != have || bytes.is_empty() {
             return Err(HeadDefect::Truncated.into());
         }
         self.head_bytes.extend_from_slice(bytes);
@@ -263,13 +263,13 @@ impl PagedReader {
             None => entries.len() as u32,
         };
         let wanted_leaves = BTreeSet::new();
-        self.head = Some(Head { prefix, metadata, page_count, entries, leaves, wanted_leaves });
+        self.head = Some(ReadHead { prefix, metadata, page_count, entries, leaves, wanted_leaves });
         self.head_bytes = Vec::new();
         Ok(())
     }
 }
 
-impl Head {
+impl ReadHead {
     /// First byte of the directory's leaves.
     fn leaves_offset(&self) -> u64 {
         PREFIX_BYTES + self.prefix.metadata_bytes + self.prefix.root_bytes
@@ -299,8 +299,8 @@ impl Head {
         by_place.sort_by_key(|(want, _)| (want.place, want.range.start));
         let bytes_of = |entry: &PageEntry| {
             let (place, first) = match self.prefix.is_separate {
-                true => (Place::Page(entry.id), 0),
-                false => (Place::Head, self.prefix.pages_offset + entry.offset),
+                true => (StoredPlace::Page(entry.id), 0),
+                false => (StoredPlace::Head, self.prefix.pages_offset + entry.offset),
             };
             let after =
                 by_place.partition_point(|(want, _)| (want.place, want.range.start) <= (place, first));

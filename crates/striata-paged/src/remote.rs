@@ -9,7 +9,7 @@ use tokio::runtime::{Builder, Runtime};
 use tokio::sync::Semaphore;
 use url::Url;
 
-use crate::{HEAD_NAME, PagedError, Place, Store, Want, page_path};
+use crate::{HEAD_NAME, PagedError, Store, StoredPlace, Want, page_path};
 
 /// Requests that are made at the same time.
 const MAX_REQUESTS: usize = 16;
@@ -49,11 +49,11 @@ impl RemoteStore {
         self.is_folder
     }
 
-    fn path_of(&self, place: Place) -> Result<Path, PagedError> {
+    fn path_of(&self, place: StoredPlace) -> Result<Path, PagedError> {
         let path = match place {
-            Place::Head if self.is_folder => Path::parse(format!("{}/{HEAD_NAME}", self.path)),
-            Place::Head => Ok(self.path.clone()),
-            Place::Page(id) => Path::parse(format!("{}/{}", self.path, page_path(id))),
+            StoredPlace::Head if self.is_folder => Path::parse(format!("{}/{HEAD_NAME}", self.path)),
+            StoredPlace::Head => Ok(self.path.clone()),
+            StoredPlace::Page(id) => Path::parse(format!("{}/{}", self.path, page_path(id))),
         };
         path.map_err(|error| self.failed(&error))
     }
@@ -68,7 +68,7 @@ impl Store for RemoteStore {
         &self.name
     }
 
-    fn read(&self, place: Place, range: Range<u64>) -> Result<Vec<u8>, PagedError> {
+    fn read(&self, place: StoredPlace, range: Range<u64>) -> Result<Vec<u8>, PagedError> {
         let path = self.path_of(place)?;
         let bytes = self.runtime.block_on(self.store.get_range(&path, range));
         Ok(bytes.map_err(|error| self.failed(&error))?.to_vec())
@@ -100,7 +100,7 @@ mod writing {
     use object_store::{ObjectStoreExt, WriteMultipart};
     use tokio::task::JoinSet;
 
-    use super::{Arc, MAX_REQUESTS, PagedError, Place, RemoteStore};
+    use super::{Arc, MAX_REQUESTS, PagedError, RemoteStore, StoredPlace};
 
     /// Bytes of one part of an upload; buckets refuse smaller ones than 5 MiB.
     const PART_BYTES: usize = 8 << 20;
@@ -129,7 +129,7 @@ mod writing {
 
         /// Begins to write the file.
         pub(crate) fn upload(&self) -> Result<Upload<'_>, PagedError> {
-            let path = self.path_of(Place::Head)?;
+            let path = self.path_of(StoredPlace::Head)?;
             let upload = self.runtime.block_on(self.store.put_multipart(&path));
             let upload = upload.map_err(|error| self.failed(&error))?;
             // Parts are sent by tasks of the runtime.
@@ -168,7 +168,7 @@ mod writing {
 
     impl Puts<'_> {
         /// Writes an object.
-        pub(crate) fn put(&mut self, place: Place, bytes: &[u8]) -> Result<(), PagedError> {
+        pub(crate) fn put(&mut self, place: StoredPlace, bytes: &[u8]) -> Result<(), PagedError> {
             while self.requests.len() >= MAX_REQUESTS {
                 self.wait()?;
             }

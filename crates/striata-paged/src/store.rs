@@ -5,7 +5,7 @@ use std::io::{Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use crate::{HEAD_NAME, PagedError, Place, Want, page_path};
+use crate::{HEAD_NAME, PagedError, StoredPlace, Want, page_path};
 
 /// A place that ranges of bytes are read from.
 pub trait Store: Send + Sync {
@@ -16,7 +16,7 @@ pub trait Store: Send + Sync {
     ///
     /// # Errors
     /// [`PagedError::Io`] if the bytes cannot be read.
-    fn read(&self, place: Place, range: Range<u64>) -> Result<Vec<u8>, PagedError>;
+    fn read(&self, place: StoredPlace, range: Range<u64>) -> Result<Vec<u8>, PagedError>;
 
     /// Reads several ranges, at once if that is quicker.
     ///
@@ -60,11 +60,11 @@ impl Store for FileStore {
         &self.name
     }
 
-    fn read(&self, place: Place, range: Range<u64>) -> Result<Vec<u8>, PagedError> {
+    fn read(&self, place: StoredPlace, range: Range<u64>) -> Result<Vec<u8>, PagedError> {
         let path = match place {
-            Place::Head if self.path.is_dir() => self.path.join(HEAD_NAME),
-            Place::Head => self.path.clone(),
-            Place::Page(id) => self.path.join(page_path(id)),
+            StoredPlace::Head if self.path.is_dir() => self.path.join(HEAD_NAME),
+            StoredPlace::Head => self.path.clone(),
+            StoredPlace::Page(id) => self.path.join(page_path(id)),
         };
         let failed = |source| PagedError::Io { place: path.display().to_string(), source };
         let mut file = File::open(&path).map_err(failed)?;

@@ -5,20 +5,20 @@ use pyo3::prelude::*;
 
 use crate::errors::Outcome;
 use crate::lod::LodData;
-use crate::mesh::MeshData;
+use crate::mesh::PyMeshData;
 use crate::paged::PagedLodData;
-use crate::scene::{LodSceneData, SceneData};
+use crate::scene::{LodSceneData, PySceneData};
 
 /// One of the classes of the module.
-pub(crate) enum Content {
-    Mesh(MeshData),
-    Scene(SceneData),
+pub(crate) enum LoadedContent {
+    Mesh(PyMeshData),
+    Scene(PySceneData),
     Lod(LodData),
     LodScene(LodSceneData),
     PagedLod(PagedLodData),
 }
 
-impl Content {
+impl LoadedContent {
     pub(crate) fn into_python(self, py: Python<'_>) -> Outcome<Bound<'_, PyAny>> {
         match self {
             Self::Mesh(data) => data.into_bound_py_any(py),

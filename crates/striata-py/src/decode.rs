@@ -12,7 +12,7 @@ use striata_scene::file::{SceneFile, is_scene_file};
 use striata_scene::stream::SceneStreamDecoder;
 use striata_stream::StreamDecoder;
 
-use crate::content::Content;
+use crate::content::LoadedContent;
 use crate::errors::{Outcome, cancelled, decode_error};
 use crate::job;
 use crate::lod::LodData;
@@ -68,24 +68,24 @@ pub(crate) fn decoded(
     bytes: &[u8],
     allow_truncated: bool,
     progress: &mut ProgressFn<'_>,
-) -> Decoded<Content> {
+) -> Decoded<LoadedContent> {
     if bytes.starts_with(&striata::file::SCENE_STREAM_MAGIC) {
         let lods = scene_stream(bytes, allow_truncated, progress)?;
-        return Ok(Content::LodScene(LodSceneData { lods }));
+        return Ok(LoadedContent::LodScene(LodSceneData { lods }));
     }
     if bytes.starts_with(&striata::file::STREAM_MAGIC) {
-        return Ok(Content::Lod(mesh_stream(bytes, allow_truncated, progress)?));
+        return Ok(LoadedContent::Lod(mesh_stream(bytes, allow_truncated, progress)?));
     }
     if is_scene_file(bytes) {
         let lods = SceneFile::parse(bytes).and_then(|file| file.lod_scene()).map_err(bad_bytes)?;
-        return Ok(Content::LodScene(LodSceneData { lods }));
+        return Ok(LoadedContent::LodScene(LodSceneData { lods }));
     }
     let file = striata_stream::open(bytes).map_err(bad_bytes)?;
     match file.stream() {
         Some(stream) if file.is_stream_only() => {
-            Ok(Content::Lod(mesh_stream(stream.map_err(bad_bytes)?, false, progress)?))
+            Ok(LoadedContent::Lod(mesh_stream(stream.map_err(bad_bytes)?, false, progress)?))
         }
-        _ => Ok(Content::Lod(LodData::of_file(&file, bytes).map_err(bad_bytes)?)),
+        _ => Ok(LoadedContent::Lod(LodData::of_file(&file, bytes).map_err(bad_bytes)?)),
     }
 }
 

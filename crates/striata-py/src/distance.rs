@@ -12,7 +12,7 @@ use striata::{Progress, ProgressFn};
 
 use crate::errors::{Outcome, cancelled, value_error};
 use crate::job;
-use crate::mesh::MeshData;
+use crate::mesh::PyMeshData;
 
 /// Number of vertices measured between two looks at the progress.
 const VERTICES_PER_REPORT: usize = 1 << 12;
@@ -28,8 +28,8 @@ type DistanceFacts = (OneSided, OneSided, f64, usize);
 #[expect(clippy::too_many_arguments, reason = "the Python half passes them by position")]
 pub(crate) fn distance(
     py: Python<'_>,
-    a: &MeshData,
-    b: &MeshData,
+    a: &PyMeshData,
+    b: &PyMeshData,
     samples: usize,
     seed: u64,
     progress: Option<Bound<'_, PyAny>>,
@@ -51,8 +51,8 @@ pub(crate) fn distance(
 #[pyfunction]
 pub(crate) fn vertex_distances<'py>(
     py: Python<'py>,
-    from_: &MeshData,
-    to: &MeshData,
+    from_: &PyMeshData,
+    to: &PyMeshData,
 ) -> Outcome<Bound<'py, PyArray1<f64>>> {
     let (from, to) = (Arc::clone(&from_.mesh), Arc::clone(&to.mesh));
     let size = from.vertex_count() + to.triangle_count();

@@ -10,13 +10,13 @@ use striata_io::pieces::is_raster;
 use striata_io::{Format, Source, WriteOptions, convert_colors, needs_other_colors, write_atomically};
 use striata_scene::glb_stream::{GlbStreamReadError, read_glb_with_stream_and_progress};
 
-use crate::content::Content;
+use crate::content::LoadedContent;
 use crate::decode::decoded;
 use crate::errors::{Outcome, cancelled, decode_error, os_error, read_error, write_error};
 use crate::job;
-use crate::mesh::MeshData;
+use crate::mesh::PyMeshData;
 use crate::paged::{PagedLodData, is_paged};
-use crate::scene::{LodSceneData, SceneData};
+use crate::scene::{LodSceneData, PySceneData};
 
 /// Work that always deserves a thread, since its size is unknown before it is done.
 const UNKNOWN_SIZE: usize = usize::MAX;
@@ -28,14 +28,14 @@ pub(crate) fn open_file(py: Python<'_>, path: PathBuf) -> Outcome<(Bound<'_, PyA
     Ok((content.into_python(py)?, warnings))
 }
 
-fn opened(path: &Path, progress: &mut ProgressFn<'_>) -> Outcome<(Content, Vec<String>)> {
+fn opened(path: &Path, progress: &mut ProgressFn<'_>) -> Outcome<(LoadedContent, Vec<String>)> {
     let name = path.display().to_string();
     if is_paged(path) {
-        return Ok((Content::PagedLod(PagedLodData::open(path)?), Vec::new()));
+        return Ok((LoadedContent::PagedLod(PagedLodData::open(path)?), Vec::new()));
     }
     if is_raster(path) {
         let report = striata_io::read_with_report(path).map_err(read_error)?;
-        return Ok((Content::Mesh(MeshData::from(report.mesh)), warning_texts(&report.warnings)));
+        return Ok((LoadedContent::Mesh(PyMeshData::from(report.mesh)), warning_texts(&report.warnings)));
     }
     let bytes = fs::read(path).map_err(|error| os_error(&error, name.clone()))?;
     let (bytes, inner_name) = striata_io::decompressed(bytes.into(), &name).map_err(read_error)?;
@@ -52,7 +52,7 @@ fn opened(path: &Path, progress: &mut ProgressFn<'_>) -> Outcome<(Content, Vec<S
                 error => decode_error(error),
             })?;
             if let Some(lods) = lods {
-                return Ok((Content::LodScene(LodSceneData { lods }), Vec::new()));
+                return Ok((LoadedContent::LodScene(LodSceneData { lods }), Vec::new()));
             }
             opened_scene(&bytes, &source)
         }
@@ -60,15 +60,15 @@ fn opened(path: &Path, progress: &mut ProgressFn<'_>) -> Outcome<(Content, Vec<S
         _ => {
             let report = striata_io::read_bytes_with_report(&bytes, &source).map_err(read_error)?;
             let warnings = warning_texts(&report.warnings);
-            Ok((Content::Mesh(MeshData::from(report.mesh)), warnings))
+            Ok((LoadedContent::Mesh(PyMeshData::from(report.mesh)), warnings))
         }
     }
 }
 
-fn opened_scene(bytes: &[u8], source: &Source<'_>) -> Outcome<(Content, Vec<String>)> {
+fn opened_scene(bytes: &[u8], source: &Source<'_>) -> Outcome<(LoadedContent, Vec<String>)> {
     let scene = striata_io::read_scene_bytes(bytes, source).map_err(read_error)?;
     let warnings = warning_texts(scene.warnings());
-    Ok((Content::Scene(SceneData::from(scene)), warnings))
+    Ok((LoadedContent::Scene(PySceneData::from(scene)), warnings))
 }
 
 /// Warnings as texts with file and place.
@@ -100,7 +100,7 @@ impl WriteArguments {
 pub(crate) fn write_mesh(
     py: Python<'_>,
     path: PathBuf,
-    mesh: &MeshData,
+    mesh: &PyMeshData,
     options: WriteArguments,
 ) -> Outcome<Vec<String>> {
     let mut mesh = Arc::clone(&mesh.mesh);
@@ -122,7 +122,7 @@ pub(crate) fn write_mesh(
 pub(crate) fn write_scene(
     py: Python<'_>,
     path: PathBuf,
-    scene: &SceneData,
+    scene: &PySceneData,
     options: WriteArguments,
 ) -> Outcome<Vec<String>> {
     let scene = Arc::clone(&scene.scene);

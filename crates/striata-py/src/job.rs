@@ -28,7 +28,7 @@ const SMALL: usize = 400;
 const UNKNOWN_PHASE: &str = "striata";
 
 /// State that both threads see.
-struct Shared<T> {
+struct JobState<T> {
     is_cancelled: AtomicBool,
     done: AtomicU64,
     total: AtomicU64,
@@ -53,7 +53,7 @@ where
         let run = AssertUnwindSafe(|| work(&mut striata::ignore_progress));
         return catch_unwind(run).unwrap_or_else(|panic| Err(panic_error(&*panic)));
     }
-    let shared = Arc::new(Shared {
+    let shared = Arc::new(JobState {
         is_cancelled: AtomicBool::new(false),
         done: AtomicU64::new(0),
         total: AtomicU64::new(0),
@@ -71,7 +71,7 @@ where
     outcome
 }
 
-impl<T: Send> Shared<T> {
+impl<T: Send> JobState<T> {
     fn work(&self, work: impl FnOnce(&mut ProgressFn<'_>) -> Outcome<T> + Send) {
         let mut report = |now: Progress| self.report(now);
         let report: &mut (dyn FnMut(Progress) -> ControlFlow<()> + Send) = &mut report;

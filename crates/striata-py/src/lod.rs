@@ -13,10 +13,10 @@ use striata::{Lod, Target};
 use crate::arrays::{signed, signed_rows};
 use crate::errors::{Outcome, cancelled, decode_error, simplify_error, value_error};
 use crate::job;
-use crate::mesh::{MeshData, file_points, is_internal, move_origin, without_internal_layers};
+use crate::mesh::{PyMeshData, file_points, is_internal, move_origin, without_internal_layers};
 use crate::one_level::check_locked;
-use crate::options::{SimplifyArguments, reason, target};
-use crate::sources::{Sources, level_triangles, representatives};
+use crate::options::{SimplifyArguments, TargetArgument, reason};
+use crate::sources::{VertexSources, level_triangles, representatives};
 use crate::strip_level::StripLevelData;
 use crate::view::ViewData;
 
@@ -26,7 +26,7 @@ use crate::view::ViewData;
 pub(crate) struct LodData {
     lod: Lod,
     /// `None` if the levels were read from a file.
-    sources: Option<Arc<Sources>>,
+    sources: Option<Arc<VertexSources>>,
     /// The file with the strips of the levels, which are read when they are needed.
     file_with_strips: Option<Arc<[u8]>>,
 }
@@ -47,7 +47,7 @@ impl From<RefinableMesh> for LodData {
 #[pyfunction]
 pub(crate) fn build(
     py: Python<'_>,
-    mesh: &MeshData,
+    mesh: &PyMeshData,
     guaranteed: bool,
     options: SimplifyArguments,
     progress: Option<Bound<'_, PyAny>>,
@@ -60,7 +60,7 @@ pub(crate) fn build(
         let built =
             build_welded_sequence_with_progress(welded, &options, progress).map_err(simplify_error)?;
         let sequence = &built.refinable.sequence;
-        let sources = Sources::new(&mesh, &position_of_source, sequence, built.source_vertex);
+        let sources = VertexSources::new(&mesh, &position_of_source, sequence, built.source_vertex);
         let lod = if guaranteed {
             let certified = certify_collapses_in_any_state_with_progress(&built.refinable, progress);
             Lod::from_certified(certified.map_err(|error| simplify_error(error.into()))?)
@@ -103,13 +103,13 @@ impl LodData {
         self.lod.mesh().origin
     }
 
-    fn mesh(&self) -> MeshData {
-        MeshData::from(without_internal_layers(self.lod.mesh()))
+    fn mesh(&self) -> PyMeshData {
+        PyMeshData::from(without_internal_layers(self.lod.mesh()))
     }
 
     /// Split count of the level that a target selects, and how well it is met.
-    fn resolve(&self, target: (String, f64)) -> Outcome<(usize, &'static str)> {
-        let (split_count, stop_reason) = self::target((&target.0, target.1))?.resolve(self.lod.sequence());
+    fn resolve(&self, target: TargetArgument) -> Outcome<(usize, &'static str)> {
+        let (split_count, stop_reason) = target.target()?.resolve(self.lod.sequence());
         Ok((split_count, reason(stop_reason)))
     }
 
@@ -150,9 +150,9 @@ impl LodData {
     }
 
     /// Level as a mesh of its own, with all layers, groups and materials.
-    fn level_mesh(&self, py: Python<'_>, split_count: usize) -> MeshData {
+    fn level_mesh(&self, py: Python<'_>, split_count: usize) -> PyMeshData {
         let level = py.detach(|| self.lod.level_mesh(Target::SplitCount(split_count)));
-        MeshData::from(without_internal_layers(&level))
+        PyMeshData::from(without_internal_layers(&level))
     }
 
     /// For each vertex, the vertex that represents it at a level.

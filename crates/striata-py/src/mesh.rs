@@ -11,9 +11,9 @@ use crate::arrays::{flat_to_array, rows_of, rows_to_array, signed_rows};
 use crate::errors::{Outcome, value_error};
 
 /// An immutable mesh.
-#[pyclass(frozen, module = "striata._striata")]
+#[pyclass(frozen, module = "striata._striata", name = "MeshData")]
 #[derive(Clone, Debug)]
-pub(crate) struct MeshData {
+pub(crate) struct PyMeshData {
     pub mesh: Arc<IndexedMesh>,
 }
 
@@ -34,7 +34,7 @@ enum LayerArray<'py> {
 type LayerArguments<'py> = (String, u16, String, bool, LayerArray<'py>);
 
 #[pymethods]
-impl MeshData {
+impl PyMeshData {
     #[new]
     fn new(
         points: PyReadonlyArray2<'_, f32>,
@@ -146,7 +146,7 @@ impl MeshData {
     }
 }
 
-impl From<IndexedMesh> for MeshData {
+impl From<IndexedMesh> for PyMeshData {
     fn from(mesh: IndexedMesh) -> Self {
         Self { mesh: Arc::new(mesh) }
     }

@@ -4,10 +4,10 @@ use pyo3::prelude::*;
 
 use crate::errors::DecodeError;
 use crate::lod::LodData;
-use crate::mesh::MeshData;
+use crate::mesh::PyMeshData;
 use crate::paged::PagedLodData;
 use crate::plan::PlanData;
-use crate::scene::{LodSceneData, SceneData};
+use crate::scene::{LodSceneData, PySceneData};
 use crate::stream::DecoderData;
 use crate::strip_level::StripLevelData;
 use crate::view::ViewData;
@@ -18,11 +18,11 @@ use crate::{decode, distance, files, lod, simplify, stream, strips};
 fn _striata(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add("DecodeError", module.py().get_type::<DecodeError>())?;
-    module.add_class::<MeshData>()?;
+    module.add_class::<PyMeshData>()?;
     module.add_class::<LodData>()?;
     module.add_class::<ViewData>()?;
     module.add_class::<StripLevelData>()?;
-    module.add_class::<SceneData>()?;
+    module.add_class::<PySceneData>()?;
     module.add_class::<LodSceneData>()?;
     module.add_class::<DecoderData>()?;
     module.add_class::<PlanData>()?;

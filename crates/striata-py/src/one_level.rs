@@ -11,11 +11,11 @@ use striata::simplify::{
     certify_collapses_with_progress,
 };
 
-use crate::sources::{Sources, UNUSED, level_triangles, representatives};
+use crate::sources::{UNUSED, VertexSources, level_triangles, representatives};
 
 /// Target and error limit that a level must satisfy.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LevelRequest {
+pub struct OneLevelRequest {
     /// The level asked for.
     pub target: Target,
     /// Upper limit of the error, mesh units, whatever the target.
@@ -45,7 +45,7 @@ pub struct OneLevel {
 /// [`SimplifyError`] if the mesh is inconsistent, an option is out of range, or the callback cancels.
 pub fn simplify_one_level(
     mesh: &IndexedMesh,
-    request: LevelRequest,
+    request: OneLevelRequest,
     options: &SequenceOptions,
     progress: &mut ProgressFn<'_>,
 ) -> Result<OneLevel, SimplifyError> {
@@ -55,7 +55,7 @@ pub fn simplify_one_level(
     let position_of_source = welded.position_of_source.clone();
     let level = resolved_level(welded, request, options, progress)?;
     let sequence = &level.refinable.sequence;
-    let sources = Sources::new(mesh, &position_of_source, sequence, level.source_vertex);
+    let sources = VertexSources::new(mesh, &position_of_source, sequence, level.source_vertex);
     Ok(OneLevel { stop_reason: level.stop_reason, ..level_of(&level.refinable, &sources, level.split_count) })
 }
 
@@ -66,7 +66,7 @@ pub fn simplify_one_level(
 /// [`SimplifyError`] if the mesh is inconsistent, an option is out of range, or the callback cancels.
 pub fn simplify_whole_mesh(
     mesh: &IndexedMesh,
-    request: LevelRequest,
+    request: OneLevelRequest,
     options: &SequenceOptions,
     progress: &mut ProgressFn<'_>,
 ) -> Result<(IndexedMesh, f64, StopReason), SimplifyError> {
@@ -89,7 +89,7 @@ struct ResolvedLevel {
 
 fn resolved_level(
     welded: Welded,
-    request: LevelRequest,
+    request: OneLevelRequest,
     options: &SequenceOptions,
     progress: &mut ProgressFn<'_>,
 ) -> Result<ResolvedLevel, SimplifyError> {
@@ -120,7 +120,7 @@ pub fn check_locked(options: &SequenceOptions, mesh: &IndexedMesh) -> Result<(),
 }
 
 /// Options that do not simplify farther than the request needs.
-fn options_up_to(request: LevelRequest, options: &SequenceOptions) -> SequenceOptions {
+fn options_up_to(request: OneLevelRequest, options: &SequenceOptions) -> SequenceOptions {
     let mut options = options.clone();
     let limit = match request.target {
         Target::Triangles(count) => {
@@ -136,7 +136,7 @@ fn options_up_to(request: LevelRequest, options: &SequenceOptions) -> SequenceOp
 }
 
 /// Finds the split count of the requested level.
-fn resolve(refinable: &RefinableMesh, request: LevelRequest, stopped: StopReason) -> (usize, StopReason) {
+fn resolve(refinable: &RefinableMesh, request: OneLevelRequest, stopped: StopReason) -> (usize, StopReason) {
     let sequence = &refinable.sequence;
     let (mut split_count, mut stop_reason) = request.target.resolve(sequence);
     if let Some(error) = request.max_error {
@@ -156,7 +156,7 @@ fn resolve(refinable: &RefinableMesh, request: LevelRequest, stopped: StopReason
 }
 
 /// Extracts a level with only the vertices that its triangles use.
-fn level_of(refinable: &RefinableMesh, sources: &Sources, split_count: usize) -> OneLevel {
+fn level_of(refinable: &RefinableMesh, sources: &VertexSources, split_count: usize) -> OneLevel {
     let representative = representatives(&refinable.sequence, split_count);
     let (mut triangles, mut origins) = level_triangles(&refinable.mesh, &representative);
     for origin in &mut origins {
@@ -185,8 +185,8 @@ mod tests {
 
     use super::*;
 
-    fn request(target: Target) -> LevelRequest {
-        LevelRequest { target, max_error: None, is_guaranteed: false }
+    fn request(target: Target) -> OneLevelRequest {
+        OneLevelRequest { target, max_error: None, is_guaranteed: false }
     }
 
     /// Triangles as sorted corner positions, which do not depend on the order of vertices.
@@ -233,7 +233,7 @@ mod tests {
     fn guaranteed_limits_hold_whatever_the_target() {
         let mesh = shapes::terrain(24, 7);
         let request =
-            LevelRequest { target: Target::Triangles(2), max_error: Some(0.05), is_guaranteed: true };
+            OneLevelRequest { target: Target::Triangles(2), max_error: Some(0.05), is_guaranteed: true };
         let level =
             simplify_one_level(&mesh, request, &SequenceOptions::default(), &mut ignore_progress).unwrap();
         assert!(level.error <= 0.05 && level.triangles.len() > 2);

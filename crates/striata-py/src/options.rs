@@ -79,18 +79,24 @@ pub(crate) fn choice<T: Copy>(option: &str, name: &str, choices: &[(&str, T)]) -
     })
 }
 
-/// A target as kind and value.
-pub(crate) fn target((kind, value): (&str, f64)) -> Outcome<Target> {
-    // Counts beyond the range of integers saturate, which means the full mesh.
-    let count = value as usize;
-    Ok(match kind {
-        "triangles" => Target::Triangles(count),
-        "vertices" => Target::Vertices(count),
-        "error" => Target::Error(value),
-        "detail" => Target::Detail(value),
-        "splits" => Target::SplitCount(count),
-        _ => return Err(value_error(format!("unknown target {kind:?}"))),
-    })
+/// A target as a pair: its kind and its value.
+#[derive(Debug, FromPyObject)]
+pub(crate) struct TargetArgument(String, f64);
+
+impl TargetArgument {
+    pub(crate) fn target(&self) -> Outcome<Target> {
+        let Self(kind, value) = self;
+        // Counts beyond the range of integers saturate, which means the full mesh.
+        let count = *value as usize;
+        Ok(match kind.as_str() {
+            "triangles" => Target::Triangles(count),
+            "vertices" => Target::Vertices(count),
+            "error" => Target::Error(*value),
+            "detail" => Target::Detail(*value),
+            "splits" => Target::SplitCount(count),
+            _ => return Err(value_error(format!("unknown target {kind:?}"))),
+        })
+    }
 }
 
 /// Name of a stop reason.

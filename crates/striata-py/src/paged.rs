@@ -11,8 +11,8 @@ use striata_paged::{HEAD_NAME, PAGED_MAGIC, PagedError, PagedFile};
 use crate::errors::{Outcome, decode_error, os_error, value_error};
 use crate::job;
 use crate::lod::LodData;
-use crate::mesh::MeshData;
-use crate::options::target;
+use crate::mesh::PyMeshData;
+use crate::options::TargetArgument;
 
 /// Reading takes a time that is unknown before it is done.
 const UNKNOWN_SIZE: usize = usize::MAX;
@@ -113,12 +113,12 @@ impl PagedLodData {
     }
 
     /// A level for a target, with only the vertices that it uses.
-    fn level(&self, py: Python<'_>, wanted: (String, f64)) -> Outcome<MeshData> {
-        let wanted = target((&wanted.0, wanted.1))?;
+    fn level(&self, py: Python<'_>, wanted: TargetArgument) -> Outcome<PyMeshData> {
+        let wanted = wanted.target()?;
         self.run(py, move |file| {
             let levels = file.levels_for(&[wanted]).map_err(paged_error)?.refinable;
             let (split_count, _) = wanted.resolve(&levels.sequence);
-            Ok(MeshData::from(replay(&levels, split_count).without_unused_vertices()))
+            Ok(PyMeshData::from(replay(&levels, split_count).without_unused_vertices()))
         })
     }
 
@@ -134,14 +134,14 @@ impl PagedLodData {
         screen: [u32; 2],
         pixels: f32,
         budget: Option<usize>,
-    ) -> Outcome<MeshData> {
+    ) -> Outcome<PyMeshData> {
         let camera = Camera::new(eye, target, up, tan_half_fov, screen).map_err(value_error)?;
         // With a limit, tolerances are relaxed by factors, so none may be zero.
         let least = if budget.is_some() { 1e-6 } else { 0.0 };
         let criterion = ScreenError::new(camera, pixels.max(least));
         self.run(py, move |file| {
             let found = file.level_for_view(&criterion, budget).map_err(paged_error)?;
-            Ok(MeshData::from(found.cut.mesh))
+            Ok(PyMeshData::from(found.cut.mesh))
         })
     }
 
@@ -152,10 +152,10 @@ impl PagedLodData {
         min: [f32; 3],
         max: [f32; 3],
         error_outside: f32,
-    ) -> Outcome<MeshData> {
+    ) -> Outcome<PyMeshData> {
         self.run(py, move |file| {
             let cut = file.level_for(&DetailBox { min, max, error_outside }).map_err(paged_error)?;
-            Ok(MeshData::from(cut.mesh))
+            Ok(PyMeshData::from(cut.mesh))
         })
     }
 }

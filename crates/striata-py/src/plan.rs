@@ -4,7 +4,9 @@ use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use striata::simplify::AttributeWeights;
-use striata_paged::build::{BuildError, BuildInput, BuildOptions, Limit, Plan, SimulationOptions, run_task};
+use striata_paged::build::{
+    BuildInput, BuildOptions, BuildPaths, Limit, PagedBuildError, PagedPlan, SimulationOptions, run_task,
+};
 
 use crate::errors::{Outcome, cancelled, decode_error, internal_error, os_error, read_error, value_error};
 use crate::job;
@@ -15,19 +17,23 @@ type SimulatedStage = (String, f64, f64);
 /// A plan on disk. It has no state of its own: every process that sees the folder may open it.
 #[pyclass(frozen, module = "striata._striata")]
 pub(crate) struct PlanData {
-    plan: Plan,
+    plan: PagedPlan,
 }
 
-fn build_error(error: BuildError) -> PyErr {
+fn build_error(error: PagedBuildError) -> PyErr {
     match error {
-        BuildError::Read(error) => read_error(error),
-        BuildError::Io { path, source } => os_error(&source, path.display().to_string()),
-        BuildError::Cancelled(reason) => cancelled(reason),
-        BuildError::Damaged { .. } | BuildError::Plan { .. } => decode_error(error),
-        BuildError::Simplify { .. } | BuildError::NoOwner { .. } => internal_error(error),
+        PagedBuildError::Read(error) => read_error(error),
+        PagedBuildError::Io { path, source } => os_error(&source, path.display().to_string()),
+        PagedBuildError::Cancelled(reason) => cancelled(reason),
+        PagedBuildError::Damaged { .. } | PagedBuildError::Plan { .. } => decode_error(error),
+        PagedBuildError::Simplify { .. } | PagedBuildError::NoOwner { .. } => internal_error(error),
         other => value_error(other),
     }
 }
+
+/// Paths of the result and of the work folder, as a pair.
+#[derive(FromPyObject)]
+pub(crate) struct PlanPaths(PathBuf, PathBuf);
 
 /// Options of a plan, as items of a Python object.
 #[derive(FromPyObject)]
@@ -118,19 +124,20 @@ impl PlanData {
     fn make(
         py: Python<'_>,
         inputs: Vec<PathBuf>,
-        paths: (PathBuf, PathBuf),
+        paths: PlanPaths,
         options: PlanOptions,
         progress: Option<&Bound<'_, PyAny>>,
     ) -> Outcome<Self> {
         let options = options.build_options()?;
-        let (output, folder) = paths;
+        let PlanPaths(output, folder) = paths;
         let input = match inputs.as_slice() {
             [one] => generated(one).unwrap_or_else(|| BuildInput::Files(inputs.clone())),
             _ => BuildInput::Files(inputs),
         };
         let threads = std::thread::available_parallelism().map_or(1, usize::from);
         let plan = job::run(py, usize::MAX, progress, move |report| {
-            Plan::make((input, options), &output, &folder, (threads, report)).map_err(build_error)
+            let paths = BuildPaths { output: &output, folder: &folder };
+            PagedPlan::make(input, options, paths, threads, report).map_err(build_error)
         })?;
         Ok(Self { plan })
     }
@@ -138,7 +145,7 @@ impl PlanData {
     /// Opens a plan by its folder or file.
     #[staticmethod]
     fn open(path: PathBuf) -> Outcome<Self> {
-        Ok(Self { plan: Plan::open(&path).map_err(build_error)? })
+        Ok(Self { plan: PagedPlan::open(&path).map_err(build_error)? })
     }
 
     /// Name and task numbers of each stage, in order.

@@ -15,14 +15,14 @@ use crate::errors::{Outcome, cancelled, simplify_error, value_error, write_error
 use crate::files::warning_texts;
 use crate::job;
 use crate::lod::LodData;
-use crate::mesh::{ImageTuple, MeshData, image_tuples};
-use crate::options::{SimplifyArguments, reason, target};
+use crate::mesh::{ImageTuple, PyMeshData, image_tuples};
+use crate::options::{SimplifyArguments, TargetArgument, reason};
 use crate::stream::scene_bytes;
 
 /// A glTF scene.
-#[pyclass(frozen, module = "striata._striata")]
+#[pyclass(frozen, module = "striata._striata", name = "SceneData")]
 #[derive(Clone, Debug)]
-pub(crate) struct SceneData {
+pub(crate) struct PySceneData {
     pub scene: Arc<Scene>,
 }
 
@@ -37,10 +37,10 @@ pub(crate) struct LodSceneData {
 type Instance = (Option<usize>, usize, [f64; 16]);
 
 #[pymethods]
-impl SceneData {
+impl PySceneData {
     /// Scene of a single mesh.
     #[staticmethod]
-    fn of_mesh(mesh: &MeshData) -> Outcome<Self> {
+    fn of_mesh(mesh: &PyMeshData) -> Outcome<Self> {
         Ok(Self::from(Scene::from_mesh(striata::mesh::IndexedMesh::clone(&mesh.mesh)).map_err(value_error)?))
     }
 
@@ -50,8 +50,8 @@ impl SceneData {
     }
 
     /// Mesh of each entry of the document, or `None`.
-    fn meshes(&self) -> Vec<Option<MeshData>> {
-        self.scene.meshes().iter().map(|mesh| mesh.clone().map(MeshData::from)).collect()
+    fn meshes(&self) -> Vec<Option<PyMeshData>> {
+        self.scene.meshes().iter().map(|mesh| mesh.clone().map(PyMeshData::from)).collect()
     }
 
     fn mesh_names(&self) -> Vec<String> {
@@ -82,10 +82,10 @@ impl SceneData {
     }
 
     /// One mesh of everything shown, with all transforms applied.
-    fn flattened(&self, py: Python<'_>) -> Outcome<MeshData> {
+    fn flattened(&self, py: Python<'_>) -> Outcome<PyMeshData> {
         let scene = Arc::clone(&self.scene);
         let size = scene.triangle_count();
-        job::run(py, size, None, move |_| Ok(MeshData::from(scene.flattened().map_err(write_error)?)))
+        job::run(py, size, None, move |_| Ok(PyMeshData::from(scene.flattened().map_err(write_error)?)))
     }
 
     /// The scene with equal parts merged.
@@ -137,7 +137,7 @@ impl SceneData {
     }
 }
 
-impl From<Scene> for SceneData {
+impl From<Scene> for PySceneData {
     fn from(scene: Scene) -> Self {
         Self { scene: Arc::new(scene) }
     }
@@ -168,24 +168,24 @@ impl LodSceneData {
         self.lods.lods().iter().map(|lod| lod.clone().map(LodData::from)).collect()
     }
 
-    fn full_scene(&self) -> SceneData {
-        SceneData::from(self.lods.full_scene())
+    fn full_scene(&self) -> PySceneData {
+        PySceneData::from(self.lods.full_scene())
     }
 
-    fn level(&self, py: Python<'_>, target: (String, f64)) -> Outcome<LevelFacts> {
-        let target = self::target((&target.0, target.1))?;
+    fn level(&self, py: Python<'_>, target: TargetArgument) -> Outcome<LevelFacts> {
+        let target = target.target()?;
         let level = py.detach(|| self.lods.level(target));
         let reason = reason(level.stop_reason);
         Ok((level.split_counts, level.triangle_count, level.vertex_count, level.error, reason))
     }
 
     /// Scene of a level, given by the split count of each mesh.
-    fn level_scene(&self, py: Python<'_>, target: (String, f64)) -> Outcome<SceneData> {
-        let target = self::target((&target.0, target.1))?;
+    fn level_scene(&self, py: Python<'_>, target: TargetArgument) -> Outcome<PySceneData> {
+        let target = target.target()?;
         let lods = self.lods.clone();
         let size = lods.triangle_count();
         let scene = job::run(py, size, None, move |_| Ok(lods.level_scene(&lods.level(target))))?;
-        Ok(SceneData::from(scene))
+        Ok(PySceneData::from(scene))
     }
 
     /// Bytes of a file with all levels: `striata`, `stri` or `glb`.

@@ -13,9 +13,9 @@ use striata::simplify::{
 use crate::arrays::{signed, signed_rows};
 use crate::errors::{Outcome, simplify_error};
 use crate::job;
-use crate::mesh::MeshData;
-use crate::one_level::{LevelRequest, simplify_one_level, simplify_whole_mesh};
-use crate::options::{SimplifyArguments, reason, target};
+use crate::mesh::PyMeshData;
+use crate::one_level::{OneLevelRequest, simplify_one_level, simplify_whole_mesh};
+use crate::options::{SimplifyArguments, TargetArgument, reason};
 
 /// One level as faces, kept input vertices, input triangle of each face, error and stop reason.
 type LevelArrays<'py> =
@@ -26,15 +26,15 @@ type LevelArrays<'py> =
 #[expect(clippy::too_many_arguments, reason = "the Python half passes them by position")]
 pub(crate) fn simplify<'py>(
     py: Python<'py>,
-    mesh: &MeshData,
-    target: (String, f64),
+    mesh: &PyMeshData,
+    target: TargetArgument,
     max_error: Option<f64>,
     guaranteed: bool,
     options: SimplifyArguments,
     progress: Option<Bound<'py, PyAny>>,
 ) -> Outcome<LevelArrays<'py>> {
-    let target = self::target((&target.0, target.1))?;
-    let request = LevelRequest { target, max_error, is_guaranteed: guaranteed };
+    let target = target.target()?;
+    let request = OneLevelRequest { target, max_error, is_guaranteed: guaranteed };
     let (mesh, options) = (Arc::clone(&mesh.mesh), options.sequence()?);
     let level = job::run(py, mesh.triangle_count(), progress.as_ref(), move |progress| {
         simplify_one_level(&mesh, request, &options, progress).map_err(simplify_error)
@@ -49,16 +49,16 @@ pub(crate) fn simplify<'py>(
 #[expect(clippy::too_many_arguments, reason = "the Python half passes them by position")]
 pub(crate) fn simplify_mesh(
     py: Python<'_>,
-    mesh: &MeshData,
-    target: (String, f64),
+    mesh: &PyMeshData,
+    target: TargetArgument,
     max_error: Option<f64>,
     guaranteed: bool,
     free_placement: bool,
     options: SimplifyArguments,
     progress: Option<Bound<'_, PyAny>>,
-) -> Outcome<(MeshData, f64, &'static str)> {
-    let target = self::target((&target.0, target.1))?;
-    let request = LevelRequest { target, max_error, is_guaranteed: guaranteed };
+) -> Outcome<(PyMeshData, f64, &'static str)> {
+    let target = target.target()?;
+    let request = OneLevelRequest { target, max_error, is_guaranteed: guaranteed };
     let (mesh, options) = (Arc::clone(&mesh.mesh), options.sequence()?);
     let (made, error, stop_reason) =
         job::run(py, mesh.triangle_count(), progress.as_ref(), move |progress| {
@@ -68,13 +68,13 @@ pub(crate) fn simplify_mesh(
             };
             made.map_err(simplify_error)
         })?;
-    Ok((MeshData::from(made), error, reason(stop_reason)))
+    Ok((PyMeshData::from(made), error, reason(stop_reason)))
 }
 
 /// Simplifies with points that may lie anywhere. Errors are measured, not guaranteed.
 fn placed_freely(
     mesh: &IndexedMesh,
-    request: LevelRequest,
+    request: OneLevelRequest,
     options: SequenceOptions,
     progress: &mut ProgressFn<'_>,
 ) -> Result<(IndexedMesh, f64, StopReason), SimplifyError> {

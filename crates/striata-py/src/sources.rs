@@ -2,7 +2,7 @@
 //!
 //! Per-vertex data of any kind can follow a level only if each vertex of the level knows its input vertex, and
 //! each input vertex knows its representative. Simplification merges equal vertices, drops unused ones and
-//! sorts the rest in refinement order; [`Sources`] keeps track of all three. Time and memory O(vertices).
+//! sorts the rest in refinement order; [`VertexSources`] keeps track of all three. Time and memory O(vertices).
 
 use striata::mesh::{AttributeLayer, CollapseSequence, IndexedMesh, LayerData};
 
@@ -11,7 +11,7 @@ pub const UNUSED: u32 = u32::MAX;
 
 /// Which input vertex each vertex comes from, and which vertex each input vertex became.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Sources {
+pub struct VertexSources {
     /// For each vertex in refinement order, its input vertex: the first of several equal ones.
     pub input_of_vertex: Vec<u32>,
     /// For each input vertex, its vertex in refinement order, or [`UNUSED`].
@@ -20,7 +20,7 @@ pub struct Sources {
     pub input_of_triangle: Vec<u32>,
 }
 
-impl Sources {
+impl VertexSources {
     /// Derives the correspondence from a mesh, `position_of_source` of its welded form, and the sequence built
     /// from that form.
     pub fn new(
@@ -128,7 +128,7 @@ mod tests {
         let position_of_source = welded.position_of_source.clone();
         let built = build_welded_sequence(welded, &SequenceOptions::default()).expect("a sequence");
         let sequence = &built.refinable.sequence;
-        let sources = Sources::new(mesh, &position_of_source, sequence, built.source_vertex);
+        let sources = VertexSources::new(mesh, &position_of_source, sequence, built.source_vertex);
         let full = &built.refinable.mesh;
         assert_eq!(sources.input_of_triangle.len(), full.triangle_count());
         let kept = sources.input_of_triangle.iter().flat_map(|&t| mesh.triangles[t as usize]);

@@ -20,9 +20,9 @@ use crate::arrays::signed_rows;
 use crate::errors::{Outcome, cancelled, decode_error, internal_error, simplify_error, value_error};
 use crate::job;
 use crate::lod::LodData;
-use crate::mesh::{MeshData, file_points};
+use crate::mesh::{PyMeshData, file_points};
 use crate::options::choice;
-use crate::scene::SceneData;
+use crate::scene::PySceneData;
 
 /// Precision as bits or a tolerance; lossless if neither is given. And the effort.
 type Quality = (Option<u32>, Option<f64>, String);
@@ -42,7 +42,7 @@ fn stream_options((bits, tolerance, effort): Quality) -> Outcome<StreamOptions> 
 #[pyfunction]
 pub(crate) fn encode_mesh<'py>(
     py: Python<'py>,
-    mesh: &MeshData,
+    mesh: &PyMeshData,
     quality: Quality,
     progress: Option<Bound<'py, PyAny>>,
 ) -> Outcome<Bound<'py, PyBytes>> {
@@ -61,7 +61,7 @@ pub(crate) fn encode_mesh<'py>(
 #[pyfunction]
 pub(crate) fn encode_scene<'py>(
     py: Python<'py>,
-    scene: &SceneData,
+    scene: &PySceneData,
     quality: Quality,
     preview_side: u32,
     progress: Option<Bound<'py, PyAny>>,

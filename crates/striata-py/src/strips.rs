@@ -9,7 +9,7 @@ use striata_strip::{StripOptions, StripifyError, stripify_with_progress};
 use crate::arrays::signed;
 use crate::errors::{Outcome, cancelled, value_error};
 use crate::job;
-use crate::mesh::MeshData;
+use crate::mesh::PyMeshData;
 
 /// Makes strips; returns one index list with the restart index -1 (or repeated indices if `stitched`), and the
 /// number of strips.
@@ -17,7 +17,7 @@ use crate::mesh::MeshData;
 #[expect(clippy::too_many_arguments, reason = "the Python half passes them by position")]
 pub(crate) fn strip<'py>(
     py: Python<'py>,
-    mesh: &MeshData,
+    mesh: &PyMeshData,
     stripifier: &str,
     seed: u64,
     effort: f64,

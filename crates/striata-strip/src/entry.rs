@@ -7,7 +7,7 @@ use striata::{Cancelled, Progress, ProgressFn};
 use crate::cache::cheapest_for_cache;
 use crate::options::StripOptions;
 use crate::stripifier::Stripifier;
-use crate::task::{Budget, Limits, Reported, SpentFn, Task};
+use crate::task::{CallerBudget, Reported, SearchLimits, SpentFn, StripTask};
 use crate::{cheapest, fewest, stripe, tunnel};
 
 /// Why no strips could be made.
@@ -63,7 +63,7 @@ pub fn stripify_from(
     options: &StripOptions,
     spent: &mut SpentFn<'_>,
 ) -> Result<StripSet, MeshError> {
-    match run(mesh, start, options, &mut Budget(spent)) {
+    match run(mesh, start, options, &mut CallerBudget(spent)) {
         Ok(strips) => Ok(strips),
         Err(StripifyError::Mesh(error)) => Err(error),
         Err(StripifyError::Cancelled(_)) => unreachable!("a budget never cancels"),
@@ -74,7 +74,7 @@ fn run(
     mesh: &IndexedMesh,
     start: &StripSet,
     options: &StripOptions,
-    limits: &mut dyn Limits,
+    limits: &mut dyn SearchLimits,
 ) -> Result<StripSet, StripifyError> {
     mesh.check()?;
     // A search of a small mesh may end before its first report.
@@ -82,7 +82,7 @@ fn run(
     limits.check()?;
     let graph = DualGraph::of_vertices(mesh);
     let groups: Vec<_> = mesh.groups_or_whole().iter().map(|group| group.range()).collect();
-    let task = Task { triangles: &mesh.triangles, groups: &groups, options };
+    let task = StripTask { triangles: &mesh.triangles, groups: &groups, options };
     let mut links = match start.strip_count() {
         0 => StripLinks::new(&graph),
         _ => StripLinks::from_strips(&graph, &mesh.triangles, start),
@@ -96,7 +96,7 @@ fn run(
             })?;
         }
         Stripifier::Stripe { has_patches, swaps } => {
-            stripe::run(&task, &mut links, (has_patches, swaps), &mut |now| limits.report(now))?;
+            stripe::run(&task, &mut links, has_patches, swaps, &mut |now| limits.report(now))?;
         }
         Stripifier::Tunnel { max_length } => {
             tunnel::run(&task, &mut links, max_length, &mut |moves| limits.spent(moves));

@@ -15,13 +15,13 @@ use crate::options::StripOptions;
 pub type SpentFn<'a> = dyn FnMut(u64) -> f64 + 'a;
 
 /// Mesh and options of one call.
-pub(crate) struct Task<'a> {
+pub(crate) struct StripTask<'a> {
     pub triangles: &'a [[u32; 3]],
     pub groups: &'a [Range<usize>],
     pub options: &'a StripOptions,
 }
 
-impl Task<'_> {
+impl StripTask<'_> {
     /// Whether a triangle has three distinct corners; other triangles are in no strip.
     pub(crate) fn is_proper(&self, triangle: u32) -> bool {
         is_proper(&self.triangles[triangle as usize])
@@ -29,7 +29,7 @@ impl Task<'_> {
 }
 
 /// Limits of a call: progress, cancellation and the moves that are allowed.
-pub(crate) trait Limits {
+pub(crate) trait SearchLimits {
     /// Returns the spent share of the budget after a number of moves; see [`SpentFn`].
     fn spent(&mut self, moves: u64) -> f64;
 
@@ -41,9 +41,9 @@ pub(crate) trait Limits {
 }
 
 /// The caller's budget, which cannot cancel.
-pub(crate) struct Budget<'a, 'f>(pub(crate) &'a mut SpentFn<'f>);
+pub(crate) struct CallerBudget<'a, 'f>(pub(crate) &'a mut SpentFn<'f>);
 
-impl Limits for Budget<'_, '_> {
+impl SearchLimits for CallerBudget<'_, '_> {
     fn spent(&mut self, moves: u64) -> f64 {
         (self.0)(moves)
     }
@@ -71,7 +71,7 @@ impl<'a, 'p> Reported<'a, 'p> {
     }
 }
 
-impl Limits for Reported<'_, '_> {
+impl SearchLimits for Reported<'_, '_> {
     fn spent(&mut self, moves: u64) -> f64 {
         // How many moves a search without a budget will make is unknown.
         let total = if self.allowed.is_finite() { self.allowed as u64 } else { moves };

@@ -5,11 +5,11 @@ use std::rc::Rc;
 
 use striata::mesh::AttributeLayer;
 
-use super::BuildError;
+use super::PagedBuildError;
 use super::part_file::{PartIndex, PartWriter};
-use super::plan::{Plan, Task, TaskKind};
+use super::plan::{BuildTask, PagedPlan, TaskKind};
 use super::simplify_task::base_page;
-use super::wire::{PendingPage, Reader};
+use super::wire::{PendingPage, WireReader};
 use crate::{Import, PageEntry, PageId};
 
 /// Tables of owned vertices that a task keeps at once.
@@ -26,7 +26,7 @@ pub(super) struct EncodeInputs {
 }
 
 impl EncodeInputs {
-    pub(super) fn open(plan: &Plan) -> Result<Self, BuildError> {
+    pub(super) fn open(plan: &PagedPlan) -> Result<Self, PagedBuildError> {
         let mut steps = Vec::new();
         let mut triangles = Vec::new();
         for task in &plan.tasks {
@@ -53,13 +53,13 @@ impl EncodeInputs {
     }
 
     /// Reads a page without its imports; `None` if the cell has no steps.
-    fn page(&self, plan: &Plan, id: PageId) -> Result<Option<PendingPage>, BuildError> {
+    fn page(&self, plan: &PagedPlan, id: PageId) -> Result<Option<PendingPage>, PagedBuildError> {
         if id.level == plan.level_count() {
             return base_page(plan, &self.triangles).map(Some);
         }
         let Some((part, segment)) = self.steps.find(id).next() else { return Ok(None) };
         let bytes = part.read(segment)?;
-        Reader::new(&bytes, &plan.metadata.empty_mesh())
+        WireReader::new(&bytes, &plan.metadata.empty_mesh())
             .steps(id)
             .map(Some)
             .map_err(|error| part.named(error))
@@ -98,13 +98,13 @@ impl Owner {
 
 /// Owners read so far.
 struct Owners<'a> {
-    plan: &'a Plan,
+    plan: &'a PagedPlan,
     inputs: &'a EncodeInputs,
     known: HashMap<PageId, Option<Rc<Owner>>>,
 }
 
 impl Owners<'_> {
-    fn get(&mut self, id: PageId) -> Result<Option<Rc<Owner>>, BuildError> {
+    fn get(&mut self, id: PageId) -> Result<Option<Rc<Owner>>, PagedBuildError> {
         if let Some(known) = self.known.get(&id) {
             return Ok(known.clone());
         }
@@ -117,7 +117,7 @@ impl Owners<'_> {
     }
 
     /// The page and vertex that own vertex `v` of a page's others.
-    fn import(&mut self, page: &PendingPage, v: u32) -> Result<Import, BuildError> {
+    fn import(&mut self, page: &PendingPage, v: u32) -> Result<Import, PagedBuildError> {
         let id = page.page.id;
         let partition = self.plan.partition()?;
         let position = page.others[v as usize];
@@ -135,19 +135,19 @@ impl Owners<'_> {
                 return Ok(Import { page: index, vertex });
             }
         }
-        Err(BuildError::NoOwner { id })
+        Err(PagedBuildError::NoOwner { id })
     }
 }
 
 /// Runs an encode task. Each segment has the length of the page's entry, the entry as JSON, and the page.
-pub(super) fn run(plan: &Plan, task: &Task, inputs: &EncodeInputs) -> Result<(), BuildError> {
+pub(super) fn run(plan: &PagedPlan, task: &BuildTask, inputs: &EncodeInputs) -> Result<(), PagedBuildError> {
     let TaskKind::Encode(level) = task.kind else { return Ok(()) };
     let mut owners = Owners { plan, inputs, known: HashMap::new() };
     let mut writer = PartWriter::create(&plan.pages_path(level, task.first))?;
     for cell in task.first..task.first + task.count {
         let id = PageId { level, cell: cell as u32 };
         let Some(mut pending) = inputs.page(plan, id)? else { continue };
-        let imports: Result<Vec<Import>, BuildError> =
+        let imports: Result<Vec<Import>, PagedBuildError> =
             (0..pending.others.len() as u32).map(|v| owners.import(&pending, v)).collect();
         pending.page.imports = imports?;
         let bytes = pending.page.to_bytes(&plan.metadata);

@@ -8,7 +8,7 @@ use crate::{PageId, PagedError};
 /// Why a build failed.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
-pub enum BuildError {
+pub enum PagedBuildError {
     /// An input cannot be read.
     #[error(transparent)]
     Read(#[from] striata_io::ReadError),
@@ -136,7 +136,7 @@ fn gigabytes(bytes: u64) -> f64 {
     bytes as f64 * 1e-9
 }
 
-impl BuildError {
+impl PagedBuildError {
     pub(super) fn io(path: &Path, source: io::Error) -> Self {
         Self::Io { path: path.to_owned(), source }
     }

@@ -4,15 +4,15 @@ use std::fs;
 use std::io::{BufWriter, Write};
 use std::path::Path;
 
-use super::BuildError;
-use super::part_file::{PartFile, PartIndex, Segment};
-use super::plan::{Plan, TaskKind, temporary_in, write_whole};
+use super::PagedBuildError;
+use super::part_file::{PartFile, PartIndex, PartSegment};
+use super::plan::{PagedPlan, TaskKind, temporary_in, write_whole};
 #[cfg(feature = "remote")]
-use crate::Place;
+use crate::StoredPlace;
 use crate::{HEAD_NAME, PageEntry, PageId, page_path, write_head};
 
 /// Writes the result.
-pub(super) fn run(plan: &Plan) -> Result<(), BuildError> {
+pub(super) fn run(plan: &PagedPlan) -> Result<(), PagedBuildError> {
     let paths = plan.tasks.iter().filter_map(|task| match task.kind {
         TaskKind::Encode(level) => Some(plan.pages_path(level, task.first)),
         _ => None,
@@ -21,7 +21,7 @@ pub(super) fn run(plan: &Plan) -> Result<(), BuildError> {
     let (triangles, limit) =
         (base_triangle_count(plan)?, plan.options.base_triangle_count(plan.metadata.triangle_count));
     if plan.options.strict && triangles > limit {
-        return Err(BuildError::Base { triangles, limit });
+        return Err(PagedBuildError::Base { triangles, limit });
     }
     let mut ids: Vec<PageId> = pages.ids().collect();
     ids.sort_by_key(|id| (u8::MAX - id.level, id.cell));
@@ -37,7 +37,7 @@ pub(super) fn run(plan: &Plan) -> Result<(), BuildError> {
     let mut metadata = plan.metadata.clone();
     metadata.position_count = entries.iter().map(|entry| u64::from(entry.position_count)).sum();
     metadata.vertex_count = entries.iter().map(|entry| u64::from(entry.vertex_count)).sum();
-    let destination = Destination::of(&plan.output)?;
+    let destination = ResultDestination::of(&plan.output)?;
     let head = write_head(&metadata, &entries, destination.is_folder());
     let each = |write: &mut WritePage<'_>| {
         ids.iter().try_for_each(|&id| {
@@ -46,15 +46,15 @@ pub(super) fn run(plan: &Plan) -> Result<(), BuildError> {
         })
     };
     match destination {
-        Destination::File => write_file(&plan.output, &head, &each),
-        Destination::Folder => write_folder(&plan.output, &head, &each),
+        ResultDestination::File => write_file(&plan.output, &head, &each),
+        ResultDestination::Folder => write_folder(&plan.output, &head, &each),
         #[cfg(feature = "remote")]
-        Destination::Address(store) => write_to_address(&store, &head, &each),
+        ResultDestination::Address(store) => write_to_address(&store, &head, &each),
     }
 }
 
 /// Destination of the result.
-pub(super) enum Destination {
+pub(super) enum ResultDestination {
     /// One file.
     File,
     /// A folder with one object per page.
@@ -64,12 +64,12 @@ pub(super) enum Destination {
     Address(crate::remote::RemoteStore),
 }
 
-impl Destination {
+impl ResultDestination {
     /// The kind of an output: a path without an extension is a folder.
     ///
     /// # Errors
-    /// [`BuildError::Page`] if it is an address that cannot be written.
-    pub(super) fn of(output: &Path) -> Result<Self, BuildError> {
+    /// [`PagedBuildError::Page`] if it is an address that cannot be written.
+    pub(super) fn of(output: &Path) -> Result<Self, PagedBuildError> {
         let name = output.to_string_lossy();
         if is_address(output) {
             #[cfg(feature = "remote")]
@@ -84,7 +84,7 @@ impl Destination {
     }
 
     /// Refuses an address that cannot be written, as far as this is known without writing.
-    pub(super) fn check(&self) -> Result<(), BuildError> {
+    pub(super) fn check(&self) -> Result<(), PagedBuildError> {
         match self {
             Self::File | Self::Folder => Ok(()),
             #[cfg(feature = "remote")]
@@ -103,12 +103,12 @@ impl Destination {
 }
 
 /// Takes the bytes of one page.
-type WritePage<'a> = dyn FnMut(PageId, &[u8]) -> Result<(), BuildError> + 'a;
+type WritePage<'a> = dyn FnMut(PageId, &[u8]) -> Result<(), PagedBuildError> + 'a;
 /// Passes the bytes of every page to a function.
-type EachPage<'a> = dyn Fn(&mut WritePage<'_>) -> Result<(), BuildError> + 'a;
+type EachPage<'a> = dyn Fn(&mut WritePage<'_>) -> Result<(), PagedBuildError> + 'a;
 
-fn write_file(output: &Path, head: &[u8], each: &EachPage<'_>) -> Result<(), BuildError> {
-    let failed = |source| BuildError::io(output, source);
+fn write_file(output: &Path, head: &[u8], each: &EachPage<'_>) -> Result<(), PagedBuildError> {
+    let failed = |source| PagedBuildError::io(output, source);
     let folder = output.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let file = temporary_in(folder).map_err(failed)?;
     let mut file = BufWriter::new(file);
@@ -121,11 +121,11 @@ fn write_file(output: &Path, head: &[u8], each: &EachPage<'_>) -> Result<(), Bui
     Ok(())
 }
 
-fn write_folder(output: &Path, head: &[u8], each: &EachPage<'_>) -> Result<(), BuildError> {
+fn write_folder(output: &Path, head: &[u8], each: &EachPage<'_>) -> Result<(), PagedBuildError> {
     each(&mut |id, bytes| {
         let path = output.join(page_path(id));
         let folder = path.parent().unwrap_or(output);
-        fs::create_dir_all(folder).map_err(|source| BuildError::io(folder, source))?;
+        fs::create_dir_all(folder).map_err(|source| PagedBuildError::io(folder, source))?;
         write_whole(&path, bytes)
     })?;
     // The head comes last: without it, nobody sees the pages.
@@ -137,10 +137,10 @@ fn write_to_address(
     store: &crate::remote::RemoteStore,
     head: &[u8],
     each: &EachPage<'_>,
-) -> Result<(), BuildError> {
+) -> Result<(), PagedBuildError> {
     if !store.is_folder() {
         let mut upload = store.upload()?;
-        let written = upload.write(head).map_err(BuildError::from);
+        let written = upload.write(head).map_err(PagedBuildError::from);
         return match written.and_then(|()| each(&mut |_, bytes| Ok(upload.write(bytes)?))) {
             Ok(()) => Ok(upload.finish()?),
             Err(error) => {
@@ -150,11 +150,11 @@ fn write_to_address(
         };
     }
     let mut pages = store.put_all();
-    each(&mut |id, bytes| Ok(pages.put(Place::Page(id), bytes)?))?;
+    each(&mut |id, bytes| Ok(pages.put(StoredPlace::Page(id), bytes)?))?;
     pages.finish()?;
     // The head comes last: without it, nobody sees the pages.
     let mut last = store.put_all();
-    last.put(Place::Head, head)?;
+    last.put(StoredPlace::Head, head)?;
     Ok(last.finish()?)
 }
 
@@ -164,17 +164,17 @@ pub fn is_address(output: &Path) -> bool {
 }
 
 /// Number of triangles of the base page.
-pub(super) fn base_triangle_count(plan: &Plan) -> Result<u64, BuildError> {
+pub(super) fn base_triangle_count(plan: &PagedPlan) -> Result<u64, PagedBuildError> {
     let id = PageId { level: plan.level_count(), cell: 0 };
     let pages = PartIndex::open(std::iter::once(plan.pages_path(id.level, 0)))?;
-    let Some((part, segment)) = pages.find(id).next() else { return Err(BuildError::DamagedPart) };
+    let Some((part, segment)) = pages.find(id).next() else { return Err(PagedBuildError::DamagedPart) };
     Ok(u64::from(split(part, segment)?.0.triangle_count))
 }
 
 /// Entry and bytes of a page.
-fn split(part: &PartFile, segment: &Segment) -> Result<(PageEntry, Vec<u8>), BuildError> {
+fn split(part: &PartFile, segment: &PartSegment) -> Result<(PageEntry, Vec<u8>), PagedBuildError> {
     let bytes = part.read(segment)?;
-    let damaged = || part.named(BuildError::DamagedPart);
+    let damaged = || part.named(PagedBuildError::DamagedPart);
     let (length, rest) = bytes.split_first_chunk::<4>().ok_or_else(damaged)?;
     let (entry, page) = rest.split_at_checked(u32::from_le_bytes(*length) as usize).ok_or_else(damaged)?;
     let entry = serde_json::from_slice(entry).map_err(|_| damaged())?;

@@ -8,7 +8,7 @@ use std::time::UNIX_EPOCH;
 use serde::{Deserialize, Serialize};
 use striata_io::pieces::{FractalTerrain, PieceOptions, PieceSource, Tiles, open_all, open_pieces};
 
-use super::BuildError;
+use super::PagedBuildError;
 
 /// Input of a build. It is stored in the plan, so every task opens it again.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -39,29 +39,29 @@ pub(super) struct InputState {
 }
 
 impl InputState {
-    fn of(path: &Path) -> Result<Self, BuildError> {
+    fn of(path: &Path) -> Result<Self, PagedBuildError> {
         let (bytes, modified) = size_and_time(path)?;
         Ok(Self { path: path.to_owned(), bytes, modified, checksum: checksum_of(path)? })
     }
 
     /// Compares the file with what it was. Its content is only read if the time differs, as that of a copy on
     /// another machine does.
-    fn check(&self) -> Result<(), BuildError> {
+    fn check(&self) -> Result<(), PagedBuildError> {
         let (bytes, modified) = size_and_time(&self.path)?;
         let is_same = bytes == self.bytes
             && (modified.is_some() && modified == self.modified || checksum_of(&self.path)? == self.checksum);
-        if is_same { Ok(()) } else { Err(BuildError::InputChanged { path: self.path.clone() }) }
+        if is_same { Ok(()) } else { Err(PagedBuildError::InputChanged { path: self.path.clone() }) }
     }
 }
 
-fn size_and_time(path: &Path) -> Result<(u64, Option<u64>), BuildError> {
-    let metadata = std::fs::metadata(path).map_err(|source| BuildError::io(path, source))?;
+fn size_and_time(path: &Path) -> Result<(u64, Option<u64>), PagedBuildError> {
+    let metadata = std::fs::metadata(path).map_err(|source| PagedBuildError::io(path, source))?;
     let modified = metadata.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
     Ok((metadata.len(), modified.and_then(|time| u64::try_from(time.as_nanos()).ok())))
 }
 
-fn checksum_of(path: &Path) -> Result<u32, BuildError> {
-    let failed = |source| BuildError::io(path, source);
+fn checksum_of(path: &Path) -> Result<u32, PagedBuildError> {
+    let failed = |source| PagedBuildError::io(path, source);
     let (mut file, mut hasher) = (File::open(path).map_err(failed)?, crc32fast::Hasher::new());
     let mut block = vec![0; 1 << 20];
     loop {
@@ -73,13 +73,13 @@ fn checksum_of(path: &Path) -> Result<u32, BuildError> {
 }
 
 /// Compares all files with what they were when the plan was made.
-pub(super) fn check_inputs(states: &[InputState]) -> Result<(), BuildError> {
+pub(super) fn check_inputs(states: &[InputState]) -> Result<(), PagedBuildError> {
     states.iter().try_for_each(InputState::check)
 }
 
 impl BuildInput {
     /// The files that are named, as they are now; those that they refer to are not among them.
-    pub(super) fn states(&self) -> Result<Vec<InputState>, BuildError> {
+    pub(super) fn states(&self) -> Result<Vec<InputState>, PagedBuildError> {
         match self {
             Self::Files(paths) => paths.iter().map(|path| InputState::of(path)).collect(),
             Self::Tiles { path, .. } => Ok(vec![InputState::of(path)?]),
@@ -90,8 +90,8 @@ impl BuildInput {
     /// Opens the input.
     ///
     /// # Errors
-    /// [`BuildError::Read`] with the file, the place and the reason.
-    pub fn open(&self, options: &PieceOptions) -> Result<Box<dyn PieceSource>, BuildError> {
+    /// [`PagedBuildError::Read`] with the file, the place and the reason.
+    pub fn open(&self, options: &PieceOptions) -> Result<Box<dyn PieceSource>, PagedBuildError> {
         Ok(match self {
             Self::Files(paths) if paths.len() == 1 => open_pieces(&paths[0], options)?,
             Self::Files(paths) => open_all(paths, options)?,

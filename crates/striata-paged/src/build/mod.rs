@@ -28,11 +28,11 @@ mod wire;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-pub use error::BuildError;
+pub use error::PagedBuildError;
 pub use finish_task::is_address;
 pub use input::BuildInput;
 pub use options::{BuildOptions, Limit};
-pub use plan::{Plan, Stage, Task, TaskKind};
+pub use plan::{BuildStage, BuildTask, PagedPlan, TaskKind};
 pub use runner::{run_all, run_stage, run_task};
 pub use simulation::{SimulatedStage, Simulation, SimulationOptions, TaskCosts};
 use striata::ProgressFn;
@@ -46,6 +46,15 @@ const BYTES_PER_COMPONENT: u64 = 8;
 /// Memory that one thread needs for a cell of the default size, in bytes.
 const THREAD_BYTES: u64 = 250 << 20;
 
+/// Paths to which a build writes.
+#[derive(Clone, Copy, Debug)]
+pub struct BuildPaths<'a> {
+    /// The result: a file, or a folder if the path ends in a separator or has no extension.
+    pub output: &'a Path,
+    /// The folder of the plan and of intermediate results.
+    pub folder: &'a Path,
+}
+
 /// Estimated sizes of a build.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Estimate {
@@ -57,27 +66,28 @@ pub struct Estimate {
     pub page_count: u64,
 }
 
-impl Plan {
+impl PagedPlan {
     /// Reads the input once and plans the build of `output`; the plan and everything between its tasks is kept in
     /// `folder`.
     ///
     /// # Errors
-    /// [`BuildError`] if the input cannot be read or the folder cannot be written.
+    /// [`PagedBuildError`] if the input cannot be read or the folder cannot be written.
     pub fn make(
-        (input, options): (BuildInput, BuildOptions),
-        output: &Path,
-        folder: &Path,
-        (threads, progress): (usize, &mut ProgressFn<'_>),
-    ) -> Result<Self, BuildError> {
+        input: BuildInput,
+        options: BuildOptions,
+        paths: BuildPaths<'_>,
+        threads: usize,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Self, PagedBuildError> {
+        let BuildPaths { output, folder } = paths;
         // An output that cannot be written must be known before hours of work.
-        finish_task::Destination::of(output)?.check()?;
-        fs::create_dir_all(folder).map_err(|source| BuildError::io(folder, source))?;
+        finish_task::ResultDestination::of(output)?.check()?;
+        fs::create_dir_all(folder).map_err(|source| PagedBuildError::io(folder, source))?;
         let inputs = input.states()?;
         let source = input.open(&options.piece_options(folder))?;
-        let scanned = scan::scan(source.as_ref(), &options, (threads, progress))?;
+        let scanned = scan::scan(source.as_ref(), &options, threads, progress)?;
         input::check_inputs(&inputs)?;
-        let paths = (output.to_owned(), folder.to_owned());
-        let mut plan = Self::new((input, inputs, options), scanned, paths);
+        let mut plan = Self::new(input, inputs, options, scanned, paths);
         plan.warnings = source.warnings();
         plan.save()?;
         Ok(plan)
@@ -97,16 +107,16 @@ impl Plan {
     /// Number of triangles of the coarsest level, once all tasks have been run.
     ///
     /// # Errors
-    /// [`BuildError`] if the task that encodes it has not been run, or its file is damaged.
-    pub fn base_triangle_count(&self) -> Result<u64, BuildError> {
+    /// [`PagedBuildError`] if the task that encodes it has not been run, or its file is damaged.
+    pub fn base_triangle_count(&self) -> Result<u64, PagedBuildError> {
         finish_task::base_triangle_count(self)
     }
 
     /// Removes the plan and everything between its tasks. The folder itself stays if it has other files.
     ///
     /// # Errors
-    /// [`BuildError::Io`] if a file cannot be removed.
-    pub fn remove_work(&self) -> Result<(), BuildError> {
+    /// [`PagedBuildError::Io`] if a file cannot be removed.
+    pub fn remove_work(&self) -> Result<(), PagedBuildError> {
         remove_work(&self.folder)
     }
 }
@@ -132,14 +142,14 @@ impl WorkLock {
     /// is claimed.
     ///
     /// # Errors
-    /// [`BuildError::InUse`] if another build works in it, [`BuildError::Io`] if it cannot be created.
-    pub fn claim(folder: &Path) -> Result<Self, BuildError> {
-        fs::create_dir_all(folder).map_err(|source| BuildError::io(folder, source))?;
+    /// [`PagedBuildError::InUse`] if another build works in it, [`PagedBuildError::Io`] if it cannot be created.
+    pub fn claim(folder: &Path) -> Result<Self, PagedBuildError> {
+        fs::create_dir_all(folder).map_err(|source| PagedBuildError::io(folder, source))?;
         let path = folder.join(LOCK_NAME);
-        let file = fs::File::create(&path).map_err(|source| BuildError::io(&path, source))?;
+        let file = fs::File::create(&path).map_err(|source| PagedBuildError::io(&path, source))?;
         match file.try_lock() {
             Ok(()) => Ok(Self { _file: Some(file) }),
-            Err(fs::TryLockError::WouldBlock) => Err(BuildError::InUse { path: folder.to_owned() }),
+            Err(fs::TryLockError::WouldBlock) => Err(PagedBuildError::InUse { path: folder.to_owned() }),
             Err(fs::TryLockError::Error(_)) => Ok(Self { _file: None }),
         }
     }
@@ -148,8 +158,8 @@ impl WorkLock {
 /// Removes the files of a build from its work folder.
 ///
 /// # Errors
-/// [`BuildError::Io`] if a file cannot be removed.
-pub fn remove_work(folder: &Path) -> Result<(), BuildError> {
+/// [`PagedBuildError::Io`] if a file cannot be removed.
+pub fn remove_work(folder: &Path) -> Result<(), PagedBuildError> {
     let Ok(files) = fs::read_dir(folder) else { return Ok(()) };
     let is_ours = |path: &PathBuf| {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -160,7 +170,7 @@ pub fn remove_work(folder: &Path) -> Result<(), BuildError> {
     for path in files.flatten().map(|file| file.path()).filter(is_ours) {
         match fs::remove_file(&path) {
             Err(source) if source.kind() != std::io::ErrorKind::NotFound => {
-                return Err(BuildError::io(&path, source));
+                return Err(PagedBuildError::io(&path, source));
             }
             _ => {}
         }

@@ -130,11 +130,7 @@ impl BuildOptions {
     }
 
     /// Options of the cells of one level of a mesh, which may be a terrain.
-    pub(super) fn cell_options(
-        &self,
-        metadata: &Metadata,
-        (is_terrain, is_last): (bool, bool),
-    ) -> CellOptions {
+    pub(super) fn cell_options(&self, metadata: &Metadata, is_terrain: bool, is_last: bool) -> CellOptions {
         let weights = AttributeWeights {
             normal: self.normal_weight,
             texcoord: self.texcoord_weight,

@@ -7,7 +7,7 @@ use std::fs::File;
 use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use super::BuildError;
+use super::PagedBuildError;
 use super::plan::temporary_in;
 use crate::PageId;
 
@@ -19,7 +19,7 @@ const TAIL_BYTES: usize = 16;
 
 /// One segment of a part file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Segment {
+pub(super) struct PartSegment {
     pub id: PageId,
     pub offset: u64,
     pub byte_count: u64,
@@ -29,27 +29,27 @@ pub(super) struct Segment {
 pub(super) struct PartWriter {
     path: PathBuf,
     file: BufWriter<tempfile::NamedTempFile>,
-    segments: Vec<Segment>,
+    segments: Vec<PartSegment>,
     offset: u64,
 }
 
 impl PartWriter {
-    pub(super) fn create(path: &Path) -> Result<Self, BuildError> {
+    pub(super) fn create(path: &Path) -> Result<Self, PagedBuildError> {
         let folder = path.parent().unwrap_or(Path::new("."));
         let file = temporary_in(folder);
-        let file = BufWriter::new(file.map_err(|source| BuildError::io(path, source))?);
+        let file = BufWriter::new(file.map_err(|source| PagedBuildError::io(path, source))?);
         Ok(Self { path: path.to_owned(), file, segments: Vec::new(), offset: 0 })
     }
 
     /// Appends a segment.
-    pub(super) fn write(&mut self, id: PageId, bytes: &[u8]) -> Result<(), BuildError> {
-        self.segments.push(Segment { id, offset: self.offset, byte_count: bytes.len() as u64 });
+    pub(super) fn write(&mut self, id: PageId, bytes: &[u8]) -> Result<(), PagedBuildError> {
+        self.segments.push(PartSegment { id, offset: self.offset, byte_count: bytes.len() as u64 });
         self.offset += bytes.len() as u64;
-        self.file.write_all(bytes).map_err(|source| BuildError::io(&self.path, source))
+        self.file.write_all(bytes).map_err(|source| PagedBuildError::io(&self.path, source))
     }
 
     /// Writes the table and moves the file to its place.
-    pub(super) fn finish(mut self) -> Result<(), BuildError> {
+    pub(super) fn finish(mut self) -> Result<(), PagedBuildError> {
         let mut table = Vec::with_capacity(self.segments.len() * ENTRY_BYTES + TAIL_BYTES);
         for segment in &self.segments {
             table.extend(u32::from(segment.id.level).to_le_bytes());
@@ -62,7 +62,7 @@ impl PartWriter {
         table.extend(crc.to_le_bytes());
         table.extend(MAGIC);
         let path = self.path.clone();
-        let failed = |source| BuildError::io(&path, source);
+        let failed = |source| PagedBuildError::io(&path, source);
         self.file.write_all(&table).map_err(failed)?;
         let file = self.file.into_inner().map_err(|error| failed(error.into_error()))?;
         file.persist(&self.path).map_err(|error| failed(error.error))?;
@@ -74,15 +74,15 @@ impl PartWriter {
 #[derive(Debug)]
 pub(super) struct PartFile {
     path: PathBuf,
-    pub segments: Vec<Segment>,
+    pub segments: Vec<PartSegment>,
 }
 
 impl PartFile {
     /// Reads the table.
-    pub(super) fn open(path: &Path) -> Result<Self, BuildError> {
-        let mut file = File::open(path).map_err(|source| BuildError::io(path, source))?;
-        let failed = |source| BuildError::io(path, source);
-        let damaged = || BuildError::Damaged { path: path.to_owned() };
+    pub(super) fn open(path: &Path) -> Result<Self, PagedBuildError> {
+        let mut file = File::open(path).map_err(|source| PagedBuildError::io(path, source))?;
+        let failed = |source| PagedBuildError::io(path, source);
+        let damaged = || PagedBuildError::Damaged { path: path.to_owned() };
         let total = file.metadata().map_err(failed)?.len();
         let tail_at = total.checked_sub(TAIL_BYTES as u64).ok_or_else(damaged)?;
         let mut tail = [0; TAIL_BYTES];
@@ -104,10 +104,10 @@ impl PartFile {
                 |at: usize| u32::from_le_bytes([entry[at], entry[at + 1], entry[at + 2], entry[at + 3]]);
             let u64_at = |at: usize| u64::from(u32_at(at)) | u64::from(u32_at(at + 4)) << 32;
             let id = PageId { level: u32_at(0) as u8, cell: u32_at(4) };
-            Segment { id, offset: u64_at(8), byte_count: u64_at(16) }
+            PartSegment { id, offset: u64_at(8), byte_count: u64_at(16) }
         });
-        let segments: Vec<Segment> = segments.collect();
-        let end = |s: &Segment| s.offset.checked_add(s.byte_count);
+        let segments: Vec<PartSegment> = segments.collect();
+        let end = |s: &PartSegment| s.offset.checked_add(s.byte_count);
         if segments.iter().any(|s| end(s).is_none_or(|end| end > tail_at - table_bytes)) {
             return Err(damaged());
         }
@@ -115,8 +115,8 @@ impl PartFile {
     }
 
     /// Reads one segment.
-    pub(super) fn read(&self, segment: &Segment) -> Result<Vec<u8>, BuildError> {
-        let failed = |source| BuildError::io(&self.path, source);
+    pub(super) fn read(&self, segment: &PartSegment) -> Result<Vec<u8>, PagedBuildError> {
+        let failed = |source| PagedBuildError::io(&self.path, source);
         let mut file = File::open(&self.path).map_err(failed)?;
         file.seek(SeekFrom::Start(segment.offset)).map_err(failed)?;
         let mut bytes = vec![0; segment.byte_count as usize];
@@ -125,9 +125,9 @@ impl PartFile {
     }
 
     /// Adds the name of the file to an error.
-    pub(super) fn named(&self, error: BuildError) -> BuildError {
+    pub(super) fn named(&self, error: PagedBuildError) -> PagedBuildError {
         match error {
-            BuildError::DamagedPart => BuildError::Damaged { path: self.path.clone() },
+            PagedBuildError::DamagedPart => PagedBuildError::Damaged { path: self.path.clone() },
             other => other,
         }
     }
@@ -143,7 +143,7 @@ pub(super) struct PartIndex {
 
 impl PartIndex {
     /// Reads the tables of files, in this order.
-    pub(super) fn open(paths: impl Iterator<Item = PathBuf>) -> Result<Self, BuildError> {
+    pub(super) fn open(paths: impl Iterator<Item = PathBuf>) -> Result<Self, PagedBuildError> {
         let mut index = Self::default();
         for (number, path) in (0..).zip(paths) {
             let part = PartFile::open(&path)?;
@@ -160,7 +160,7 @@ impl PartIndex {
     }
 
     /// All segments with a name, in the order of the files.
-    pub(super) fn find(&self, id: PageId) -> impl Iterator<Item = (&PartFile, &Segment)> {
+    pub(super) fn find(&self, id: PageId) -> impl Iterator<Item = (&PartFile, &PartSegment)> {
         let from = self.entries.partition_point(|entry| entry.0 < id);
         let found = self.entries[from..].iter().take_while(move |entry| entry.0 == id);
         found.map(|&(_, file, at)| {

@@ -8,7 +8,7 @@ use striata::simplify::cells::Partition;
 
 use super::input::{InputState, check_inputs};
 use super::weld::WeldMap;
-use super::{BuildError, BuildInput, BuildOptions};
+use super::{BuildInput, BuildOptions, BuildPaths, PagedBuildError};
 use crate::Metadata;
 
 /// Version of the plan and of all part files.
@@ -50,7 +50,7 @@ impl TaskKind {
 
 /// One task: it reads results of earlier stages and writes one file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Task {
+pub struct BuildTask {
     /// Work of the task.
     pub kind: TaskKind,
     /// First piece or cell.
@@ -61,7 +61,7 @@ pub struct Task {
 
 /// Tasks that may run in any order and at the same time, when all tasks of the stages before are done.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Stage {
+pub struct BuildStage {
     /// Name: `sort`, `simplify level 2`, `encode`, `write`.
     pub name: String,
     /// Number of the first task.
@@ -70,7 +70,7 @@ pub struct Stage {
     pub task_count: usize,
 }
 
-impl Stage {
+impl BuildStage {
     /// Numbers of the tasks.
     pub fn tasks(&self) -> std::ops::Range<usize> {
         self.first_task..self.first_task + self.task_count
@@ -79,7 +79,7 @@ impl Stage {
 
 /// Everything that tasks need to know.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Plan {
+pub struct PagedPlan {
     version: u32,
     /// Input that is read.
     pub input: BuildInput,
@@ -92,7 +92,7 @@ pub struct Plan {
     /// Path of the result: a file, or a folder if the path ends in a separator or has no extension.
     pub output: PathBuf,
     /// All tasks, by stage.
-    pub tasks: Vec<Task>,
+    pub tasks: Vec<BuildTask>,
     /// Folder of the plan and of the results of tasks.
     #[serde(skip)]
     pub folder: PathBuf,
@@ -119,17 +119,19 @@ pub(super) struct Scanned {
     pub weld: Option<WeldMap>,
 }
 
-impl Plan {
+impl PagedPlan {
     pub(super) fn new(
-        (input, inputs, options): (BuildInput, Vec<InputState>, BuildOptions),
+        input: BuildInput,
+        inputs: Vec<InputState>,
+        options: BuildOptions,
         scanned: Scanned,
-        (output, folder): (PathBuf, PathBuf),
+        paths: BuildPaths<'_>,
     ) -> Self {
         let Scanned { metadata, partition, piece_count, note, weld } = scanned;
         let mut tasks = Vec::new();
         let mut bundle = |kind: TaskKind, count: u64, size: u64| {
             for first in (0..count).step_by(size as usize) {
-                tasks.push(Task { kind, first, count: size.min(count - first) });
+                tasks.push(BuildTask { kind, first, count: size.min(count - first) });
             }
         };
         bundle(TaskKind::Sort, piece_count, options.pieces_per_task.max(1));
@@ -153,9 +155,9 @@ impl Plan {
             inputs,
             options,
             metadata,
-            output,
+            output: paths.output.to_owned(),
             tasks,
-            folder,
+            folder: paths.folder.to_owned(),
             warnings,
             note,
             partition,
@@ -164,7 +166,7 @@ impl Plan {
     }
 
     /// Writes the plan into its folder.
-    pub(super) fn save(&self) -> Result<(), BuildError> {
+    pub(super) fn save(&self) -> Result<(), PagedBuildError> {
         let partition_path = self.folder.join(PARTITION_NAME);
         write_whole(&partition_path, &self.partition()?.to_bytes())?;
         if self.options.weld_distance.is_some() {
@@ -172,33 +174,34 @@ impl Plan {
         }
         let path = self.folder.join(PLAN_NAME);
         let json = serde_json::to_vec_pretty(self)
-            .map_err(|error| BuildError::Plan { path: path.clone(), reason: error.to_string() })?;
+            .map_err(|error| PagedBuildError::Plan { path: path.clone(), reason: error.to_string() })?;
         write_whole(&path, &json)
     }
 
     /// Reads a plan from its folder or its file.
     ///
     /// # Errors
-    /// [`BuildError::Plan`] if it is not a plan of this version.
-    pub fn open(path: &Path) -> Result<Self, BuildError> {
+    /// [`PagedBuildError::Plan`] if it is not a plan of this version.
+    pub fn open(path: &Path) -> Result<Self, PagedBuildError> {
         let path = if path.is_dir() { path.join(PLAN_NAME) } else { path.to_owned() };
-        let json = fs::read(&path).map_err(|source| BuildError::io(&path, source))?;
-        let wrong = |reason: String| BuildError::Plan { path: path.clone(), reason };
+        let json = fs::read(&path).map_err(|source| PagedBuildError::io(&path, source))?;
+        let wrong = |reason: String| PagedBuildError::Plan { path: path.clone(), reason };
         let mut plan: Self = serde_json::from_slice(&json).map_err(|error| wrong(error.to_string()))?;
         if plan.version != VERSION {
             return Err(wrong(format!("version {} instead of {VERSION}", plan.version)));
         }
         plan.folder = path.parent().unwrap_or(Path::new("")).to_owned();
         let partition_path = plan.folder.join(PARTITION_NAME);
-        let bytes = fs::read(&partition_path).map_err(|source| BuildError::io(&partition_path, source))?;
+        let bytes =
+            fs::read(&partition_path).map_err(|source| PagedBuildError::io(&partition_path, source))?;
         plan.partition = Partition::from_bytes(&bytes);
         if plan.partition.is_none() {
-            return Err(BuildError::Damaged { path: partition_path });
+            return Err(PagedBuildError::Damaged { path: partition_path });
         }
         if plan.options.weld_distance.is_some() {
             let path = plan.folder.join(WELD_NAME);
-            let bytes = fs::read(&path).map_err(|source| BuildError::io(&path, source))?;
-            plan.weld = WeldMap::from_bytes(&bytes).ok_or(BuildError::Damaged { path })?;
+            let bytes = fs::read(&path).map_err(|source| PagedBuildError::io(&path, source))?;
+            plan.weld = WeldMap::from_bytes(&bytes).ok_or(PagedBuildError::Damaged { path })?;
         }
         Ok(plan)
     }
@@ -206,8 +209,8 @@ impl Plan {
     /// Compares the files of the input with what they were when the plan was made.
     ///
     /// # Errors
-    /// [`BuildError::InputChanged`] with the first file that differs.
-    pub fn check_inputs(&self) -> Result<(), BuildError> {
+    /// [`PagedBuildError::InputChanged`] with the first file that differs.
+    pub fn check_inputs(&self) -> Result<(), PagedBuildError> {
         check_inputs(&self.inputs)
     }
 
@@ -217,8 +220,8 @@ impl Plan {
     }
 
     /// The cells of all levels.
-    pub(super) fn partition(&self) -> Result<&Partition, BuildError> {
-        let missing = || BuildError::Damaged { path: self.folder.join(PARTITION_NAME) };
+    pub(super) fn partition(&self) -> Result<&Partition, PagedBuildError> {
+        let missing = || PagedBuildError::Damaged { path: self.folder.join(PARTITION_NAME) };
         self.partition.as_ref().ok_or_else(missing)
     }
 
@@ -228,20 +231,20 @@ impl Plan {
     }
 
     /// The stages in order.
-    pub fn stages(&self) -> Vec<Stage> {
-        let mut stages: Vec<Stage> = Vec::new();
+    pub fn stages(&self) -> Vec<BuildStage> {
+        let mut stages: Vec<BuildStage> = Vec::new();
         for (number, task) in self.tasks.iter().enumerate() {
             let name = task.kind.stage();
             match stages.last_mut() {
                 Some(last) if last.name == name => last.task_count += 1,
-                _ => stages.push(Stage { name, first_task: number, task_count: 1 }),
+                _ => stages.push(BuildStage { name, first_task: number, task_count: 1 }),
             }
         }
         stages
     }
 
     /// File of triangles that a task writes, for the cells of later levels.
-    pub(super) fn triangles_path(&self, task: &Task) -> PathBuf {
+    pub(super) fn triangles_path(&self, task: &BuildTask) -> PathBuf {
         match task.kind {
             TaskKind::Level(level) => self.folder.join(format!("level-{level}-{:08}.part", task.first)),
             _ => self.folder.join(format!("sort-{:08}.part", task.first)),
@@ -259,7 +262,7 @@ impl Plan {
     }
 
     /// Whether a task has been run.
-    pub fn is_done(&self, task: &Task) -> bool {
+    pub fn is_done(&self, task: &BuildTask) -> bool {
         match task.kind {
             TaskKind::Sort => self.triangles_path(task).exists(),
             TaskKind::Level(level) => {
@@ -275,7 +278,7 @@ impl Plan {
         self.folder.join("finished").exists()
     }
 
-    pub(super) fn set_finished(&self) -> Result<(), BuildError> {
+    pub(super) fn set_finished(&self) -> Result<(), PagedBuildError> {
         write_whole(&self.folder.join("finished"), b"")
     }
 }
@@ -290,8 +293,8 @@ pub(super) fn temporary_in(folder: &Path) -> std::io::Result<tempfile::NamedTemp
 }
 
 /// Writes a file beside its place and renames it.
-pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), BuildError> {
-    let failed = |source| BuildError::io(path, source);
+pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), PagedBuildError> {
+    let failed = |source| PagedBuildError::io(path, source);
     let folder = path.parent().unwrap_or(Path::new("."));
     let mut file = temporary_in(folder).map_err(failed)?;
     std::io::Write::write_all(&mut file, bytes).map_err(failed)?;

@@ -5,8 +5,8 @@ use std::sync::{Mutex, mpsc};
 
 use super::encode_task::{self, EncodeInputs};
 use super::part_file::PartIndex;
-use super::plan::{Plan, Stage, Task, TaskKind};
-use super::{BuildError, finish_task, simplify_task, sort_task};
+use super::plan::{BuildStage, BuildTask, PagedPlan, TaskKind};
+use super::{PagedBuildError, finish_task, simplify_task, sort_task};
 use striata::{Cancelled, Progress, ProgressFn};
 
 /// Told how many tasks are done; may stop the others.
@@ -15,9 +15,10 @@ pub(super) type TaskProgress<'p> = dyn FnMut(u64) -> Result<(), Cancelled> + 'p;
 /// Calls `run` for every index, on several threads; the first error stops all.
 pub(super) fn in_parallel(
     count: usize,
-    (threads, progress): (usize, &mut TaskProgress<'_>),
-    run: impl Fn(usize) -> Result<(), BuildError> + Sync,
-) -> Result<(), BuildError> {
+    threads: usize,
+    progress: &mut TaskProgress<'_>,
+    run: impl Fn(usize) -> Result<(), PagedBuildError> + Sync,
+) -> Result<(), PagedBuildError> {
     let next = AtomicUsize::new(0);
     let is_stopped = AtomicBool::new(false);
     let failure = Mutex::new(None);
@@ -49,7 +50,7 @@ pub(super) fn in_parallel(
             if let Err(cancelled) = progress(done as u64 + 1) {
                 is_stopped.store(true, Ordering::Relaxed);
                 if let Ok(mut failure) = failure.lock() {
-                    failure.get_or_insert(BuildError::Cancelled(cancelled));
+                    failure.get_or_insert(PagedBuildError::Cancelled(cancelled));
                 }
             }
         }
@@ -60,29 +61,34 @@ pub(super) fn in_parallel(
 /// Runs all tasks that have not been run, on this many threads.
 ///
 /// # Errors
-/// [`BuildError`] of the first task that fails. What other tasks have completed stays, and a later run goes on.
-pub fn run_all(plan: &Plan, threads: usize, progress: &mut ProgressFn<'_>) -> Result<(), BuildError> {
-    plan.stages().iter().try_for_each(|stage| run_stage(plan, stage, (threads, progress)))
+/// [`PagedBuildError`] of the first task that fails. What other tasks have completed stays, and a later run goes on.
+pub fn run_all(
+    plan: &PagedPlan,
+    threads: usize,
+    progress: &mut ProgressFn<'_>,
+) -> Result<(), PagedBuildError> {
+    plan.stages().iter().try_for_each(|stage| run_stage(plan, stage, threads, progress))
 }
 
 /// Runs all tasks of a stage that have not been run.
 ///
 /// # Errors
-/// See [`run_all`]; also [`BuildError::TaskOrder`] if an earlier stage is not complete.
+/// See [`run_all`]; also [`PagedBuildError::TaskOrder`] if an earlier stage is not complete.
 pub fn run_stage(
-    plan: &Plan,
-    stage: &Stage,
-    (threads, progress): (usize, &mut ProgressFn<'_>),
-) -> Result<(), BuildError> {
+    plan: &PagedPlan,
+    stage: &BuildStage,
+    threads: usize,
+    progress: &mut ProgressFn<'_>,
+) -> Result<(), PagedBuildError> {
     let tasks = plan.tasks.get(stage.tasks()).unwrap_or_default();
-    let open: Vec<&Task> = tasks.iter().filter(|task| !plan.is_done(task)).collect();
+    let open: Vec<&BuildTask> = tasks.iter().filter(|task| !plan.is_done(task)).collect();
     let Some(first) = open.first() else { return Ok(()) };
     check_order(plan, stage.first_task)?;
     let inputs = StageInputs::open(plan, first.kind)?;
     let (name, before, total) = progress_of(plan, stage);
     let before = before + (tasks.len() - open.len()) as u64;
     let mut report = |done: u64| Progress { phase: name, done: before + done, total }.report(progress);
-    in_parallel(open.len(), (threads, &mut report), |index| inputs.run(plan, open[index]))?;
+    in_parallel(open.len(), threads, &mut report, |index| inputs.run(plan, open[index]))?;
     // What was read while a file changed would be of both.
     if matches!(inputs, StageInputs::Sort(_)) { plan.check_inputs() } else { Ok(()) }
 }
@@ -90,28 +96,28 @@ pub fn run_stage(
 /// Runs one task, whether or not it has been run before. The result is the same.
 ///
 /// # Errors
-/// [`BuildError::NoTask`] and [`BuildError::TaskOrder`] if the task cannot be run, otherwise the reason why it
-/// failed.
-pub fn run_task(plan: &Plan, number: usize) -> Result<(), BuildError> {
+/// [`PagedBuildError::NoTask`] and [`PagedBuildError::TaskOrder`] if the task cannot be run, otherwise the reason why
+/// it failed.
+pub fn run_task(plan: &PagedPlan, number: usize) -> Result<(), PagedBuildError> {
     let count = plan.tasks.len();
-    let task = plan.tasks.get(number).ok_or(BuildError::NoTask { task: number, count })?;
+    let task = plan.tasks.get(number).ok_or(PagedBuildError::NoTask { task: number, count })?;
     check_order(plan, number)?;
     StageInputs::open(plan, task.kind)?.run(plan, task)
 }
 
 /// Whether all stages before that of a task are complete.
-fn check_order(plan: &Plan, number: usize) -> Result<(), BuildError> {
+fn check_order(plan: &PagedPlan, number: usize) -> Result<(), PagedBuildError> {
     let stages = plan.stages();
     let before = stages.iter().take_while(|stage| !stage.tasks().contains(&number));
-    match before.flat_map(Stage::tasks).find(|&task| !plan.is_done(&plan.tasks[task])) {
-        Some(needed) => Err(BuildError::TaskOrder { task: number, needed }),
+    match before.flat_map(BuildStage::tasks).find(|&task| !plan.is_done(&plan.tasks[task])) {
+        Some(needed) => Err(PagedBuildError::TaskOrder { task: number, needed }),
         None => Ok(()),
     }
 }
 
 /// Name of the part of a build that a stage belongs to, the number of tasks in earlier stages of this part, and of all
 /// its tasks.
-fn progress_of(plan: &Plan, stage: &Stage) -> (&'static str, u64, u64) {
+fn progress_of(plan: &PagedPlan, stage: &BuildStage) -> (&'static str, u64, u64) {
     let name = |name: &str| match name {
         "sort" => "sort",
         "encode" => "encode",
@@ -120,7 +126,7 @@ fn progress_of(plan: &Plan, stage: &Stage) -> (&'static str, u64, u64) {
     };
     let stages = plan.stages();
     let alike = || stages.iter().filter(|other| name(&other.name) == name(&stage.name));
-    let sum = |count: usize, other: &Stage| count + other.task_count;
+    let sum = |count: usize, other: &BuildStage| count + other.task_count;
     let before = alike().take_while(|other| other.first_task < stage.first_task).fold(0, sum);
     (name(&stage.name), before as u64, alike().fold(0, sum) as u64)
 }
@@ -134,14 +140,14 @@ enum StageInputs {
 }
 
 impl StageInputs {
-    fn open(plan: &Plan, kind: TaskKind) -> Result<Self, BuildError> {
+    fn open(plan: &PagedPlan, kind: TaskKind) -> Result<Self, PagedBuildError> {
         Ok(match kind {
             TaskKind::Sort => {
                 plan.check_inputs()?;
                 Self::Sort(plan.input.open(&plan.options.piece_options(&plan.folder))?)
             }
             TaskKind::Level(level) => {
-                let is_earlier = |task: &&Task| match task.kind {
+                let is_earlier = |task: &&BuildTask| match task.kind {
                     TaskKind::Sort => true,
                     TaskKind::Level(other) => other < level,
                     _ => false,
@@ -154,7 +160,7 @@ impl StageInputs {
         })
     }
 
-    fn run(&self, plan: &Plan, task: &Task) -> Result<(), BuildError> {
+    fn run(&self, plan: &PagedPlan, task: &BuildTask) -> Result<(), PagedBuildError> {
         match self {
             Self::Sort(source) => sort_task::run(plan, task, source.as_ref()),
             Self::Level(level, parts) => simplify_task::run(plan, task, *level, parts),

@@ -10,8 +10,8 @@ use striata_io::pieces::{Piece, PieceSource};
 use super::plan::Scanned;
 use super::runner::in_parallel;
 use super::weld::{WeldMap, border};
-use super::{BuildError, BuildOptions};
-use crate::{Grid, Metadata, PagedGroup, PagedLayer};
+use super::{BuildOptions, PagedBuildError};
+use crate::{Metadata, PagedGrid, PagedGroup, PagedLayer};
 
 /// One triangle in this many is a sample for the partition.
 const SAMPLE_STRIDE: usize = 32;
@@ -36,12 +36,13 @@ struct PieceScan {
 pub(super) fn scan(
     source: &dyn PieceSource,
     options: &BuildOptions,
-    (threads, progress): (usize, &mut ProgressFn<'_>),
-) -> Result<Scanned, BuildError> {
+    threads: usize,
+    progress: &mut ProgressFn<'_>,
+) -> Result<Scanned, PagedBuildError> {
     let count = source.piece_count();
     let scans: Mutex<Vec<Option<PieceScan>>> = Mutex::new((0..count).map(|_| None).collect());
     let mut report = |done| Progress { phase: "read", done, total: count }.report(progress);
-    in_parallel(count as usize, (threads, &mut report), |index| {
+    in_parallel(count as usize, threads, &mut report, |index| {
         let piece = source.read_piece(index as u64)?;
         let border = if options.weld_distance.is_some() { border(&piece) } else { Vec::new() };
         let scan = PieceScan { border, ..scan_piece(&piece) };
@@ -62,7 +63,7 @@ pub(super) fn scan(
         total.triangle_count += scan.triangle_count;
     }
     if total.triangle_count == 0 {
-        return Err(BuildError::Empty { input: source.summary().name.clone() });
+        return Err(PagedBuildError::Empty { input: source.summary().name.clone() });
     }
     let weld = options.weld_distance.map(|distance| {
         WeldMap::of(scans.iter().flat_map(|scan| scan.border.iter().copied()).collect(), distance)
@@ -168,7 +169,7 @@ fn stored_options(options: &BuildOptions) -> serde_json::Value {
 /// The median edge has 256 steps or more; a few large triangles, or one stray vertex, do not coarsen it. If
 /// another axis has other units, as heights in meters above degrees, its extent gives its step: `n` triangles
 /// have about `sqrt(n)` positions along it.
-fn grid_of(options: &BuildOptions, total: &PieceScan) -> Option<Grid> {
+fn grid_of(options: &BuildOptions, total: &PieceScan) -> Option<PagedGrid> {
     const STEPS_PER_EDGE: f64 = 256.0;
     const STEPS_PER_POSITION: f64 = 64.0;
     if options.exact {
@@ -181,7 +182,7 @@ fn grid_of(options: &BuildOptions, total: &PieceScan) -> Option<Grid> {
         let along = extent / (STEPS_PER_POSITION * (total.triangle_count as f64).sqrt());
         floor(if along > 0.0 { edge.min(along) } else { edge })
     });
-    Grid::of(total.min, total.max, step)
+    PagedGrid::of(total.min, total.max, step)
 }
 
 /// The median of the lengths that are not zero; 0 if there are none.

@@ -6,18 +6,23 @@ use striata::mesh::AttributeLayer;
 use striata::simplify::cells::{Cell, CellMesh, CellSteps, simplify_cell};
 
 use super::part_file::{PartIndex, PartWriter};
-use super::plan::{Plan, Task};
+use super::plan::{BuildTask, PagedPlan};
 use super::sort_task::{send, write_cells};
-use super::wire::{PendingPage, Reader, Writer};
-use super::{BuildError, BuildInput};
+use super::wire::{PendingPage, WireReader, WireWriter};
+use super::{BuildInput, PagedBuildError};
 use crate::{Import, Page, PageId};
 
 /// Runs a task of a level; `parts` has the triangles of all earlier stages.
-pub(super) fn run(plan: &Plan, task: &Task, level: u8, parts: &PartIndex) -> Result<(), BuildError> {
+pub(super) fn run(
+    plan: &PagedPlan,
+    task: &BuildTask,
+    level: u8,
+    parts: &PartIndex,
+) -> Result<(), PagedBuildError> {
     let partition = plan.partition()?;
     let is_last = level + 1 == plan.level_count();
     let is_terrain = matches!(plan.input, BuildInput::Terrain(_)) || plan.metadata.georeference.is_some();
-    let options = plan.options.cell_options(&plan.metadata, (is_terrain, is_last));
+    let options = plan.options.cell_options(&plan.metadata, is_terrain, is_last);
     let like = plan.metadata.empty_mesh();
     let mut left = CellMesh::default();
     let mut writer = PartWriter::create(&plan.steps_path(level, task.first))?;
@@ -25,10 +30,10 @@ pub(super) fn run(plan: &Plan, task: &Task, level: u8, parts: &PartIndex) -> Res
         let id = PageId { level, cell: cell as u32 };
         let cell = read_cell(parts, id, &like)?;
         let simplified =
-            simplify_cell(&cell, &options).map_err(|source| BuildError::Simplify { id, source })?;
+            simplify_cell(&cell, &options).map_err(|source| PagedBuildError::Simplify { id, source })?;
         left.append(&simplified.survivors);
         if !simplified.steps.keys.is_empty() {
-            let mut bytes = Writer::new(&like);
+            let mut bytes = WireWriter::new(&like);
             bytes.steps(&pending_page(id, simplified.steps));
             writer.write(id, &bytes.bytes)?;
         }
@@ -40,11 +45,11 @@ pub(super) fn run(plan: &Plan, task: &Task, level: u8, parts: &PartIndex) -> Res
 }
 
 /// Reads everything that was sent to a cell.
-pub(super) fn read_cell(parts: &PartIndex, id: PageId, like: &CellMesh) -> Result<Cell, BuildError> {
+pub(super) fn read_cell(parts: &PartIndex, id: PageId, like: &CellMesh) -> Result<Cell, PagedBuildError> {
     let mut whole = Cell::default();
     for (part, segment) in parts.find(id) {
         let bytes = part.read(segment)?;
-        let cell = Reader::new(&bytes, like).cell().map_err(|error| part.named(error))?;
+        let cell = WireReader::new(&bytes, like).cell().map_err(|error| part.named(error))?;
         whole.inside.append(&cell.inside);
         whole.border.append(&cell.border);
         whole.is_within.extend(cell.is_within);
@@ -81,7 +86,7 @@ fn pending_page(id: PageId, steps: CellSteps) -> PendingPage {
 }
 
 /// The base page: all that is left.
-pub(super) fn base_page(plan: &Plan, parts: &PartIndex) -> Result<PendingPage, BuildError> {
+pub(super) fn base_page(plan: &PagedPlan, parts: &PartIndex) -> Result<PendingPage, PagedBuildError> {
     let id = PageId { level: plan.level_count(), cell: 0 };
     let like = plan.metadata.empty_mesh();
     let mut mesh = read_cell(parts, id, &like)?.inside;

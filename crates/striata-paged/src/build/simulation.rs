@@ -7,7 +7,7 @@
 use serde::{Deserialize, Serialize};
 use striata::mesh::Random;
 
-use super::{BYTES_PER_COMPONENT, Plan, RESULT_BYTES_PER_TRIANGLE, Task, TaskKind};
+use super::{BYTES_PER_COMPONENT, BuildTask, PagedPlan, RESULT_BYTES_PER_TRIANGLE, TaskKind};
 
 /// Seconds of one core that tasks take, measured on a terrain; see docs/results/scale.md.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -81,7 +81,7 @@ pub struct Simulation {
     pub stages: Vec<SimulatedStage>,
 }
 
-impl Plan {
+impl PagedPlan {
     /// Runs all tasks in simulated time.
     pub fn simulate(&self, options: &SimulationOptions) -> Simulation {
         let workers = options.workers.max(1);
@@ -127,7 +127,7 @@ impl Plan {
     }
 
     /// Triangles that a task reads.
-    fn triangles_of(&self, task: &Task) -> f64 {
+    fn triangles_of(&self, task: &BuildTask) -> f64 {
         let triangles = self.metadata.triangle_count as f64;
         let of_level = |level: u8| {
             let cells = self.metadata.cell_counts.get(level as usize).copied().unwrap_or(1);
@@ -144,7 +144,7 @@ impl Plan {
         }
     }
 
-    fn seconds_of(&self, task: &Task, costs: &TaskCosts) -> f64 {
+    fn seconds_of(&self, task: &BuildTask, costs: &TaskCosts) -> f64 {
         let triangles = self.triangles_of(task);
         costs.task
             + match task.kind {
@@ -156,7 +156,7 @@ impl Plan {
     }
 
     /// Bytes that a task leaves in the work folder.
-    fn bytes_of(&self, task: &Task) -> u64 {
+    fn bytes_of(&self, task: &BuildTask) -> u64 {
         let components: u64 = self.metadata.layers.iter().map(|l| u64::from(l.component_count)).sum();
         let per_triangle = match task.kind {
             TaskKind::Sort => 13.0 + 0.25 * (BYTES_PER_COMPONENT * components) as f64,

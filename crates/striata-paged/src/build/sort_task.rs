@@ -5,14 +5,18 @@ use std::collections::BTreeMap;
 use striata::simplify::cells::{Cell, CellMesh, Partition, route};
 use striata_io::pieces::{Piece, PieceSource};
 
-use super::BuildError;
+use super::PagedBuildError;
 use super::part_file::PartWriter;
-use super::plan::{Plan, Task};
-use super::wire::Writer;
+use super::plan::{BuildTask, PagedPlan};
+use super::wire::WireWriter;
 use crate::{Metadata, PageId};
 
 /// Runs a task of the first stage.
-pub(super) fn run(plan: &Plan, task: &Task, source: &dyn PieceSource) -> Result<(), BuildError> {
+pub(super) fn run(
+    plan: &PagedPlan,
+    task: &BuildTask,
+    source: &dyn PieceSource,
+) -> Result<(), PagedBuildError> {
     let (mut mesh, mut merging) = (CellMesh::default(), Merging::default());
     for index in task.first..task.first + task.count {
         let mut piece = source.read_piece(index)?;
@@ -54,13 +58,13 @@ impl Merging {
     }
 
     /// Refuses to merge more than one in a thousand, unless that is wanted.
-    fn check(&self, plan: &Plan) -> Result<(), BuildError> {
+    fn check(&self, plan: &PagedPlan) -> Result<(), PagedBuildError> {
         let is_wanted = plan.options.allow_merging;
         let Some(grid) = plan.metadata.grid.filter(|_| !is_wanted && self.merged * 1000 > self.total) else {
             return Ok(());
         };
         let (input, step) = (plan.metadata.source.clone(), grid.step.into_iter().fold(f64::MAX, f64::min));
-        Err(BuildError::Merging { input, step, merged: self.merged, total: self.total })
+        Err(PagedBuildError::Merging { input, step, merged: self.merged, total: self.total })
     }
 }
 
@@ -126,9 +130,9 @@ pub(super) fn write_cells(
     writer: &mut PartWriter,
     cells: &BTreeMap<PageId, Cell>,
     like: &CellMesh,
-) -> Result<(), BuildError> {
+) -> Result<(), PagedBuildError> {
     for (&id, cell) in cells {
-        let mut bytes = Writer::new(like);
+        let mut bytes = WireWriter::new(like);
         bytes.cell(cell);
         writer.write(id, &bytes.bytes)?;
     }

@@ -4,7 +4,7 @@
 use striata::mesh::AttributeLayer;
 use striata::simplify::cells::{Cell, CellMesh, History};
 
-use super::BuildError;
+use super::PagedBuildError;
 use crate::{Import, Page, PageId};
 
 /// Low bits of keys and errors that are always zero.
@@ -13,13 +13,13 @@ const ERROR_BITS: u32 = 17;
 
 /// Writes numbers and arrays.
 #[derive(Debug)]
-pub(super) struct Writer {
+pub(super) struct WireWriter {
     pub bytes: Vec<u8>,
     /// Numbers of layers of vertices and of triangles.
     layer_counts: [usize; 2],
 }
 
-impl Writer {
+impl WireWriter {
     /// Creates a writer for meshes with the layers of this one.
     pub(super) fn new(like: &CellMesh) -> Self {
         Self { bytes: Vec::new(), layer_counts: [like.layers.len(), like.triangle_layers.len()] }
@@ -113,47 +113,47 @@ pub(super) struct PendingPage {
     pub other_layers: Vec<AttributeLayer>,
 }
 
-/// Reads what a [`Writer`] wrote.
-pub(super) struct Reader<'a> {
+/// Reads what a [`WireWriter`] wrote.
+pub(super) struct WireReader<'a> {
     bytes: &'a [u8],
     /// Layers without values, as all meshes of a build have them.
     like: &'a CellMesh,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> WireReader<'a> {
     pub(super) fn new(bytes: &'a [u8], like: &'a CellMesh) -> Self {
         Self { bytes, like }
     }
 
-    fn take(&mut self, count: usize) -> Result<&'a [u8], BuildError> {
+    fn take(&mut self, count: usize) -> Result<&'a [u8], PagedBuildError> {
         if count > self.bytes.len() {
-            return Err(BuildError::DamagedPart);
+            return Err(PagedBuildError::DamagedPart);
         }
         let (taken, rest) = self.bytes.split_at(count);
         self.bytes = rest;
         Ok(taken)
     }
 
-    pub(super) fn u32(&mut self) -> Result<u32, BuildError> {
+    pub(super) fn u32(&mut self) -> Result<u32, PagedBuildError> {
         let bytes = self.take(4)?;
         Ok(u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]))
     }
 
-    fn array<T: bytemuck::AnyBitPattern + bytemuck::NoUninit>(&mut self) -> Result<Vec<T>, BuildError> {
+    fn array<T: bytemuck::AnyBitPattern + bytemuck::NoUninit>(&mut self) -> Result<Vec<T>, PagedBuildError> {
         let count = self.u32()? as usize;
         let bytes = self.take(count.saturating_mul(size_of::<T>()))?;
         Ok(bytemuck::pod_collect_to_vec(bytes))
     }
 
-    fn layers(&mut self) -> Result<Vec<AttributeLayer>, BuildError> {
+    fn layers(&mut self) -> Result<Vec<AttributeLayer>, PagedBuildError> {
         self.layers_like(&self.like.layers)
     }
 
-    fn triangle_layers(&mut self) -> Result<Vec<AttributeLayer>, BuildError> {
+    fn triangle_layers(&mut self) -> Result<Vec<AttributeLayer>, PagedBuildError> {
         self.layers_like(&self.like.triangle_layers)
     }
 
-    fn layers_like(&mut self, layers: &[AttributeLayer]) -> Result<Vec<AttributeLayer>, BuildError> {
+    fn layers_like(&mut self, layers: &[AttributeLayer]) -> Result<Vec<AttributeLayer>, PagedBuildError> {
         layers
             .iter()
             .map(|layer| {
@@ -164,7 +164,7 @@ impl<'a> Reader<'a> {
             .collect()
     }
 
-    fn histories(&mut self) -> Result<Vec<History>, BuildError> {
+    fn histories(&mut self) -> Result<Vec<History>, PagedBuildError> {
         let packed: Vec<[u16; 2]> = self.array()?;
         let history = |[key, error]: [u16; 2]| History {
             key: f32::from_bits(u32::from(key) << KEY_BITS),
@@ -173,7 +173,7 @@ impl<'a> Reader<'a> {
         Ok(packed.into_iter().map(history).collect())
     }
 
-    fn triangles(&mut self, vertex_count: usize) -> Result<Vec<[u32; 3]>, BuildError> {
+    fn triangles(&mut self, vertex_count: usize) -> Result<Vec<[u32; 3]>, PagedBuildError> {
         if vertex_count > 1 << 16 {
             return self.array();
         }
@@ -181,7 +181,7 @@ impl<'a> Reader<'a> {
         Ok(short.into_iter().map(|t| t.map(u32::from)).collect())
     }
 
-    fn mesh(&mut self) -> Result<CellMesh, BuildError> {
+    fn mesh(&mut self) -> Result<CellMesh, PagedBuildError> {
         let positions: Vec<[f32; 3]> = self.array()?;
         let layers = self.layers()?;
         let triangles = self.triangles(positions.len())?;
@@ -193,13 +193,13 @@ impl<'a> Reader<'a> {
         Ok(CellMesh { positions, layers, triangles, groups, triangle_layers, histories, waits })
     }
 
-    pub(super) fn cell(&mut self) -> Result<Cell, BuildError> {
+    pub(super) fn cell(&mut self) -> Result<Cell, PagedBuildError> {
         let (inside, border) = (self.mesh()?, self.mesh()?);
         let is_within: Vec<u8> = self.array()?;
         Ok(Cell { inside, border, is_within: is_within.into_iter().map(|b| b != 0).collect() })
     }
 
-    pub(super) fn steps(&mut self, id: PageId) -> Result<PendingPage, BuildError> {
+    pub(super) fn steps(&mut self, id: PageId) -> Result<PendingPage, PagedBuildError> {
         let mut page = Page {
             id,
             positions: self.array()?,

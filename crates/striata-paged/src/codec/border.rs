@@ -18,7 +18,7 @@ pub(super) struct Gate {
 
 /// Open edges at a node, and the vertex that was last seen there.
 #[derive(Clone, Copy)]
-struct Node {
+struct BorderNode {
     /// Gate that began last at the node, or [`NONE`].
     gate: u32,
     /// Other ends of the last two open edges that end here and that begin here.
@@ -28,7 +28,8 @@ struct Node {
     last_vertex: u32,
 }
 
-const NEW_NODE: Node = Node { gate: NONE, ending: [NONE; 2], beginning: [NONE; 2], last_vertex: NONE };
+const NEW_NODE: BorderNode =
+    BorderNode { gate: NONE, ending: [NONE; 2], beginning: [NONE; 2], last_vertex: NONE };
 
 /// The open edges.
 #[derive(Default)]
@@ -37,7 +38,7 @@ pub(super) struct Border {
     gates: Vec<Gate>,
     /// The gates before this one have been passed.
     passed: usize,
-    nodes: Vec<Node>,
+    nodes: Vec<BorderNode>,
 }
 
 impl Border {

@@ -30,7 +30,7 @@ use crate::bytes::{put_varint, take_varint};
 use crate::error::{PageDefect, PagedError};
 use crate::{Import, Metadata, Page, PageId};
 use lattice::Lattice;
-use triangles::{Shape, TriangleCoder};
+use triangles::{CodedShape, TriangleCoder};
 
 /// More vertices or triangles than this cannot be in a page.
 const MAX_COUNT: u64 = 1 << 24;
@@ -40,7 +40,7 @@ const MAX_PER_BYTE: u64 = 4096;
 impl Page {
     /// Encodes a page that [`Page::normalize`] has ordered, and whose values are rounded as the metadata say.
     pub fn to_bytes(&self, metadata: &Metadata) -> Vec<u8> {
-        let counts = Counts::of(self, metadata);
+        let counts = PageCounts::of(self, metadata);
         let mut bytes = Vec::new();
         for count in [counts.positions, counts.vertices, counts.imports, counts.triangles] {
             put_varint(&mut bytes, count as u64);
@@ -71,7 +71,7 @@ impl Page {
 }
 
 /// Counts and lattice at the start of a page.
-pub(super) struct Counts {
+pub(super) struct PageCounts {
     positions: usize,
     vertices: usize,
     imports: usize,
@@ -82,7 +82,7 @@ pub(super) struct Counts {
     lattice: Lattice,
 }
 
-impl Counts {
+impl PageCounts {
     fn of(page: &Page, metadata: &Metadata) -> Self {
         let mut pages: Vec<u32> = page.imports.iter().map(|import| import.page).collect();
         pages.sort_unstable();
@@ -128,7 +128,7 @@ fn decode(id: PageId, bytes: &[u8], metadata: &Metadata) -> Result<Page, PageDef
         pages.push(page as u32);
     }
     let lattice = Lattice::take(&mut rest).ok_or(PageDefect::Truncated)?;
-    let counts = Counts { positions, vertices, imports, triangles, pages, lattice };
+    let counts = PageCounts { positions, vertices, imports, triangles, pages, lattice };
     if counts.imports > 0 && counts.pages.is_empty() {
         return Err(PageDefect::Entry { what: "pages", index: 0, reason: "is missing" });
     }
@@ -142,7 +142,7 @@ fn decode(id: PageId, bytes: &[u8], metadata: &Metadata) -> Result<Page, PageDef
     coder.into_page(id)
 }
 
-impl Shape {
+impl CodedShape {
     /// Vertices with those of a position adjacent, and the first one of each position.
     fn order_of_vertices(&self) -> Result<(Vec<u32>, Vec<u32>), PageDefect> {
         if self.wedges.is_trivial() {

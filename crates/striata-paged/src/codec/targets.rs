@@ -2,7 +2,7 @@
 
 use striata_stream::entropy::{AdaptiveSymbol, Coder, code_uniform};
 
-use super::triangles::{Shape, TriangleCoder};
+use super::triangles::{CodedShape, TriangleCoder};
 use crate::Page;
 
 /// Symbol of targets that are not among the first neighbors.
@@ -23,7 +23,7 @@ impl TriangleCoder<'_> {
         let mut links = targets.clone();
         let actual_of = self.actual_targets(page);
         let mut ranks = [AdaptiveSymbol::new(8); 32];
-        let (mut wedges, mut neighbors) = (Vec::new(), Neighbors::default());
+        let (mut wedges, mut neighbors) = (Vec::new(), VertexNeighbors::default());
         for p in order {
             if coder.overran() {
                 break;
@@ -65,8 +65,8 @@ impl TriangleCoder<'_> {
     }
 
     fn is_same_position(&self, v: u32, w: u32) -> bool {
-        v < Shape::IMPORTS
-            && w < Shape::IMPORTS
+        v < CodedShape::IMPORTS
+            && w < CodedShape::IMPORTS
             && self.shape.vertices[v as usize] == self.shape.vertices[w as usize]
             || v == w
     }
@@ -75,12 +75,12 @@ impl TriangleCoder<'_> {
     fn any_vertex<C: Coder>(&self, coder: &mut C, actual: u32) -> u32 {
         let owned = self.shape.vertices.len() as u32;
         let count = owned + self.shape.imports.len() as u32;
-        let place = match actual.checked_sub(Shape::IMPORTS) {
+        let place = match actual.checked_sub(CodedShape::IMPORTS) {
             Some(import) => owned + import,
             None => actual,
         };
         let place = code_uniform(coder, count, place);
-        if place < owned { place } else { Shape::IMPORTS + place - owned }
+        if place < owned { place } else { CodedShape::IMPORTS + place - owned }
     }
 }
 
@@ -104,7 +104,7 @@ struct CornersOfVertices {
 }
 
 impl CornersOfVertices {
-    fn new(shape: &Shape) -> Self {
+    fn new(shape: &CodedShape) -> Self {
         let count = shape.vertices.len();
         let mut first = vec![0u32; count + 1];
         let owned = |t: &[u32; 3]| t.map(|v| v as usize).into_iter().filter(move |&v| v < count);
@@ -133,14 +133,14 @@ impl CornersOfVertices {
 
 /// Neighbors of a vertex: those at full detail, and the current ones.
 #[derive(Default)]
-struct Neighbors {
+struct VertexNeighbors {
     /// Neighbors at full detail.
     original: Vec<u32>,
     /// Vertices that they have collapsed to so far, each once, at most 15.
     known: Vec<u32>,
 }
 
-impl Neighbors {
+impl VertexNeighbors {
     /// Finds the neighbors of a vertex in its triangles.
     fn gather(&mut self, triangles: &[[u32; 3]], at: &[u32], v: u32, links: &mut [u32]) {
         self.original.clear();

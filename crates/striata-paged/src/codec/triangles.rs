@@ -6,9 +6,9 @@ use striata::simplify::cells::CellMesh;
 use striata_stream::entropy::{AdaptiveBit, Coder, QuickNumber, Rate, code_uniform};
 
 use super::border::{Border, Gate};
-use super::vertices::VertexModels;
-use super::wedges::Wedges;
-use super::{Counts, UNKNOWN};
+use super::vertices::{VertexModels, VertexSite};
+use super::wedges::PageWedges;
+use super::{PageCounts, UNKNOWN};
 use crate::error::PageDefect;
 use crate::{Import, Metadata, Page, PageId};
 
@@ -18,13 +18,14 @@ const NEW: usize = 1;
 const CANDIDATES: usize = 2;
 const OTHER: usize = 6;
 
-/// Part of a page that has been coded. Owned vertices are numbered as they are met, imports from [`Shape::IMPORTS`].
+/// Part of a page that has been coded. Owned vertices are numbered as they are met, imports from
+/// [`CodedShape::IMPORTS`].
 #[derive(Default)]
-pub(super) struct Shape {
+pub(super) struct CodedShape {
     /// Positions, in the order in which they are met.
     pub positions: Vec<[f32; 3]>,
     /// Vertices of each position.
-    pub wedges: Wedges,
+    pub wedges: PageWedges,
     /// Position of each vertex.
     pub vertices: Vec<u32>,
     pub layers: Vec<AttributeLayer>,
@@ -37,17 +38,25 @@ pub(super) struct Shape {
     pub triangle_layers: Vec<AttributeLayer>,
 }
 
-impl Shape {
+impl CodedShape {
     /// Number of the first import.
     pub(super) const IMPORTS: u32 = 1 << 25;
 }
 
+/// A corner at a node that is known.
+#[derive(Clone, Copy)]
+struct KnownCorner {
+    node: u32,
+    /// Number of its vertex in the page that is written.
+    actual: u32,
+}
+
 /// Codes the triangles of a page and everything that hangs on them.
 pub(super) struct TriangleCoder<'a> {
-    pub counts: &'a Counts,
+    pub counts: &'a PageCounts,
     pub metadata: &'a Metadata,
     pub is_base: bool,
-    pub shape: Shape,
+    pub shape: CodedShape,
     pub models: VertexModels,
     border: Border,
     kinds: Vec<[AdaptiveBit; 7]>,
@@ -66,10 +75,10 @@ pub(super) struct TriangleCoder<'a> {
 const UNMET: u32 = u32::MAX;
 
 impl<'a> TriangleCoder<'a> {
-    pub(super) fn new(counts: &'a Counts, metadata: &'a Metadata, is_base: bool) -> Self {
+    pub(super) fn new(counts: &'a PageCounts, metadata: &'a Metadata, is_base: bool) -> Self {
         let bit = AdaptiveBit::new(Rate::Quick);
         let CellMesh { layers, triangle_layers, .. } = metadata.empty_mesh();
-        let shape = Shape { layers, triangle_layers, ..Shape::default() };
+        let shape = CodedShape { layers, triangle_layers, ..CodedShape::default() };
         Self {
             counts,
             metadata,
@@ -123,7 +132,7 @@ impl<'a> TriangleCoder<'a> {
 
     /// Node of a vertex as numbered here.
     fn node_of(&self, v: u32) -> u32 {
-        match v.checked_sub(Shape::IMPORTS) {
+        match v.checked_sub(CodedShape::IMPORTS) {
             Some(import) => self.counts.positions as u32 + import,
             None => self.shape.vertices[v as usize],
         }
@@ -179,12 +188,12 @@ impl<'a> TriangleCoder<'a> {
         };
         let corners = actual.map_or([0; 3], |(t, _)| t);
         let group = self.group(coder, Some(gate.group), actual.map_or(0, |(_, group)| group));
-        let vb = self.wedge(coder, page, (b, corners[0]), gate.vertices[1]);
-        let va = self.wedge(coder, page, (a, corners[1]), gate.vertices[0]);
+        let vb = self.wedge(coder, page, KnownCorner { node: b, actual: corners[0] }, gate.vertices[1]);
+        let va = self.wedge(coder, page, KnownCorner { node: a, actual: corners[1] }, gate.vertices[0]);
         let vc = match c {
             Some(c) => {
                 let expected = self.border.last_vertex(c);
-                self.wedge(coder, page, (c, corners[2]), expected)
+                self.wedge(coder, page, KnownCorner { node: c, actual: corners[2] }, expected)
             }
             None => self.new_node(coder, page, corners[2], Some(&gate)),
         };
@@ -205,7 +214,7 @@ impl<'a> TriangleCoder<'a> {
                 let place = code_uniform(coder, count, place);
                 let node = self.node_at(place);
                 let expected = self.border.last_vertex(node);
-                self.wedge(coder, page, (node, corners[i]), expected)
+                self.wedge(coder, page, KnownCorner { node, actual: corners[i] }, expected)
             } else {
                 self.new_node(coder, page, corners[i], None)
             };
@@ -289,16 +298,17 @@ impl<'a> TriangleCoder<'a> {
         self.group.unsigned(coder, 0, actual.into()) as u32
     }
 
-    /// Codes which wedge of a known node a corner is; `actual` is its number in the page that is written.
+    /// Codes which wedge of a known node a corner is.
     fn wedge<C: Coder>(
         &mut self,
         coder: &mut C,
         page: Option<&Page>,
-        (node, actual): (u32, u32),
+        corner: KnownCorner,
         expected: u32,
     ) -> u32 {
+        let KnownCorner { node, actual } = corner;
         if let Some(import) = node.checked_sub(self.counts.positions as u32) {
-            return Shape::IMPORTS + import;
+            return CodedShape::IMPORTS + import;
         }
         if self.counts.positions == self.counts.vertices {
             return node;
@@ -317,7 +327,7 @@ impl<'a> TriangleCoder<'a> {
             // Damaged bytes may name a wedge that does not exist.
             return self.shape.wedges.latest_first(node).take(rank + 1).last().unwrap_or(expected);
         }
-        self.new_vertex(coder, page, actual, (Some(node), [UNMET; 3]))
+        self.new_vertex(coder, page, actual, VertexSite { node: Some(node), near: [UNMET; 3] })
     }
 
     /// Codes a corner at a node that has not been met.
@@ -332,29 +342,29 @@ impl<'a> TriangleCoder<'a> {
         let near = gate.map_or([UNMET; 3], |gate| gate.vertices);
         let can_own = self.shape.positions.len() < self.counts.positions;
         let can_import = self.shape.imports.len() < self.counts.imports;
-        let context = near[..2].iter().filter(|&&v| v != UNMET && v >= Shape::IMPORTS).count();
+        let context = near[..2].iter().filter(|&&v| v != UNMET && v >= CodedShape::IMPORTS).count();
         let is_import = match (can_own, can_import) {
             (true, true) => self.is_import[context].code(coder, is_import),
             (false, _) => true,
             (true, false) => false,
         };
         if !is_import {
-            return self.new_vertex(coder, page, actual, (None, near));
+            return self.new_vertex(coder, page, actual, VertexSite { node: None, near });
         }
         let import = page.map_or(UNKNOWN, |page| {
-            self.met[actual as usize] = Shape::IMPORTS + self.shape.imports.len() as u32;
+            self.met[actual as usize] = CodedShape::IMPORTS + self.shape.imports.len() as u32;
             page.imports[actual as usize - page.positions.len()]
         });
         let import = self.import(coder, import, near);
         self.shape.imports.push(import);
-        Shape::IMPORTS + self.shape.imports.len() as u32 - 1
+        CodedShape::IMPORTS + self.shape.imports.len() as u32 - 1
     }
 
     /// Codes owned vertices and imports that no triangle uses.
     fn lone_vertices<C: Coder>(&mut self, coder: &mut C, page: Option<&Page>) {
         while self.shape.positions.len() < self.counts.positions && !coder.overran() {
             let actual = page.map_or(0, |page| page.first[self.shape.positions.len()]);
-            self.new_vertex(coder, page, actual, (None, [UNMET; 3]));
+            self.new_vertex(coder, page, actual, VertexSite { node: None, near: [UNMET; 3] });
         }
         let (mut position, mut next) = (0, 0);
         while self.shape.vertices.len() < self.counts.vertices && !coder.overran() {
@@ -371,12 +381,17 @@ impl<'a> TriangleCoder<'a> {
             let step = self.lone.unsigned(coder, 0, at.saturating_sub(position).into());
             let last = self.counts.positions.saturating_sub(1) as u64;
             position = u64::from(position).saturating_add(step).min(last) as u32;
-            self.new_vertex(coder, page, actual.unwrap_or(0), (Some(position), [UNMET; 3]));
+            self.new_vertex(
+                coder,
+                page,
+                actual.unwrap_or(0),
+                VertexSite { node: Some(position), near: [UNMET; 3] },
+            );
         }
         while self.shape.imports.len() < self.counts.imports && !coder.overran() {
             let index = self.shape.imports.len();
             let import = page.map_or(UNKNOWN, |page| {
-                self.met[page.positions.len() + index] = Shape::IMPORTS + index as u32;
+                self.met[page.positions.len() + index] = CodedShape::IMPORTS + index as u32;
                 page.imports[index]
             });
             let import = self.import(coder, import, [UNMET; 3]);

@@ -4,7 +4,7 @@ use striata::mesh::LayerData;
 use striata_stream::entropy::{AdaptiveBit, Coder, QuickNumber, Rate};
 
 use super::lattice::{from_ordered, from_ordered_double, ordered, ordered_double};
-use super::triangles::{Shape, TriangleCoder};
+use super::triangles::{CodedShape, TriangleCoder};
 use crate::metadata::index_of;
 use crate::{Import, Metadata, Page, PagedLayer};
 
@@ -53,17 +53,27 @@ impl VertexModels {
     }
 }
 
+/// Position of a vertex that is coded.
+#[derive(Clone, Copy)]
+pub(super) struct VertexSite {
+    /// Its position; `None` for a new one.
+    pub node: Option<u32>,
+    /// Vertices near a new position.
+    pub near: [u32; 3],
+}
+
 impl TriangleCoder<'_> {
-    /// Codes an owned vertex: of the position at `node`, or of a new position near some vertices.
+    /// Codes an owned vertex: of a known position, or of a new one near some vertices.
     pub(super) fn new_vertex<C: Coder>(
         &mut self,
         coder: &mut C,
         page: Option<&Page>,
         actual: u32,
-        (node, near): (Option<u32>, [u32; 3]),
+        site: VertexSite,
     ) -> u32 {
+        let VertexSite { node, near } = site;
         let vertex = self.shape.vertices.len() as u32;
-        let mut known = near[..2].iter().copied().find(|&v| v < Shape::IMPORTS);
+        let mut known = near[..2].iter().copied().find(|&v| v < CodedShape::IMPORTS);
         let position = match node {
             Some(position) => {
                 known = self.shape.wedges.latest_first(position).next();
@@ -93,7 +103,7 @@ impl TriangleCoder<'_> {
     /// Codes a position; near the two ends of a gate and the third corner of its triangle.
     fn position<C: Coder>(&mut self, coder: &mut C, actual: Option<[f32; 3]>, near: [u32; 3]) {
         let places = &self.models.places;
-        let at = |v: u32| (v < Shape::IMPORTS).then(|| places[self.shape.vertices[v as usize] as usize]);
+        let at = |v: u32| (v < CodedShape::IMPORTS).then(|| places[self.shape.vertices[v as usize] as usize]);
         let [a, b, d] = near.map(at);
         let (quality, expected) = match (a, b, d) {
             (Some(a), Some(b), Some(d)) => (0, [0, 1, 2].map(|i| a[i] + b[i] - d[i])),
@@ -118,7 +128,7 @@ impl TriangleCoder<'_> {
         let actual = |values: &[f32], bits: u32| {
             values.get(position as usize).map_or(0, |x| (x.to_bits() >> bits) as i32)
         };
-        let neighbor = near.iter().copied().find(|&v| v < Shape::IMPORTS);
+        let neighbor = near.iter().copied().find(|&v| v < CodedShape::IMPORTS);
         let context = usize::from(neighbor.is_none());
         let neighbor = neighbor.map(|v| self.shape.vertices[v as usize] as usize);
         let models = &mut self.models;
@@ -153,7 +163,8 @@ impl TriangleCoder<'_> {
                 let value = actual.map_or(0, |(page, v)| place(&page.layers[i].data, v));
                 let slot = 2 * context + usize::from(known.is_none());
                 let data = &mut self.shape.layers[i].data;
-                push_coded((coder, &mut self.models.layers, slot), (kind, data), [value, expected]);
+                let place = coded_place(coder, &mut self.models.layers, slot, data, [value, expected]);
+                push_place(kind, data, place);
                 context += 1;
             }
         }
@@ -171,7 +182,8 @@ impl TriangleCoder<'_> {
                 }
                 let expected = index.checked_sub(width).map_or(0, |before| place_of(kind, data, before));
                 let value = page.map_or(0, |page| place_of(kind, &page.triangle_layers[i].data, index));
-                push_coded((coder, &mut model, index % width), (kind, data), [value, expected]);
+                let place = coded_place(coder, &mut model, index % width, data, [value, expected]);
+                push_place(kind, data, place);
             }
         }
     }
@@ -181,7 +193,8 @@ impl TriangleCoder<'_> {
         let pages = &self.counts.pages;
         let models = &mut self.models;
         models.last_imports.resize(pages.len(), 0);
-        let near = near[..2].iter().filter_map(|&v| v.checked_sub(Shape::IMPORTS).filter(|_| v != UNMET));
+        let near =
+            near[..2].iter().filter_map(|&v| v.checked_sub(CodedShape::IMPORTS).filter(|_| v != UNMET));
         let near: Vec<Import> = near.map(|import| self.shape.imports[import as usize]).collect();
         let slot_of = |page: u32| pages.partition_point(|&p| p < page).min(pages.len() - 1);
         let expected_slot = near.first().map_or(models.last_slot, |import| slot_of(import.page));
@@ -212,23 +225,24 @@ fn largest_class(bits: u32) -> i32 {
     (f32::MAX.to_bits() >> bits) as i32
 }
 
-/// Codes a value as the difference from what is expected, both as integers, and appends it.
-fn push_coded<C: Coder>(
-    (coder, model, context): (&mut C, &mut QuickNumber, usize),
-    (kind, data): (&PagedLayer, &mut LayerData),
+/// Codes a value of `data` as the difference from what is expected, both as integers, and returns it.
+fn coded_place<C: Coder>(
+    coder: &mut C,
+    model: &mut QuickNumber,
+    context: usize,
+    data: &LayerData,
     [value, expected]: [i64; 2],
-) {
+) -> i64 {
     let mut coded =
         |value: i64, expected: i64| expected.wrapping_add(model.signed(coder, context, value - expected));
-    let place = match data {
+    match data {
         // The difference of two doubles has up to 64 bits, more than a number of the codec.
         LayerData::F64(_) => {
             let high = coded(value >> 32, expected >> 32);
             high << 32 | coded(value & LOW_HALF, expected & LOW_HALF) & LOW_HALF
         }
         _ => coded(value, expected),
-    };
-    push_place(kind, data, place);
+    }
 }
 
 /// A value as an integer: multiples of the step, or ordered bits.

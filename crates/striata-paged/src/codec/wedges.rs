@@ -4,7 +4,7 @@ const NONE: u32 = u32::MAX;
 
 /// Vertices of positions.
 #[derive(Debug, Default)]
-pub(super) struct Wedges {
+pub(super) struct PageWedges {
     /// Last vertex of each position.
     last: Vec<u32>,
     /// Number of vertices of each position.
@@ -13,7 +13,7 @@ pub(super) struct Wedges {
     before: Vec<u32>,
 }
 
-impl Wedges {
+impl PageWedges {
     /// Number of positions.
     pub(super) fn position_count(&self) -> usize {
         self.last.len()

@@ -33,7 +33,7 @@ use page_surface::PageSurface;
 
 /// A level whose detail varies.
 #[derive(Clone, Debug)]
-pub struct Cut {
+pub struct PagedCut {
     /// The mesh.
     pub mesh: IndexedMesh,
     /// Index in the directory of the page that each vertex of the mesh comes from.
@@ -84,7 +84,7 @@ impl<'a> CutPages<'a> {
     ///
     /// A part has the position of the step, the length of the longest edge there as its radius, and the error of
     /// the surface without it.
-    pub fn cut(&self, is_wanted: impl Fn(&Part) -> bool + Sync) -> Cut {
+    pub fn cut(&self, is_wanted: impl Fn(&Part) -> bool + Sync) -> PagedCut {
         let loaded = &self.loaded;
         let flags = |page: &Page| (1..page.first.len()).map(|_| AtomicBool::new(false)).collect();
         let messages = Messages {
@@ -122,14 +122,14 @@ impl<'a> CutPages<'a> {
             contribution.refined_count += 1;
             surface.for_each_needed(position, |v| is_kept[surface.node(v) as usize] = true);
         }
-        self.pass_needs_on(slot, &surface, (&is_kept, messages));
+        self.pass_needs_on(slot, &surface, &is_kept, messages);
         self.pass_replaced_on(slot, &surface, messages);
-        (contribution.triangles, contribution.places) = self.triangles(slot, &surface, (&is_kept, messages));
+        (contribution.triangles, contribution.places) = self.triangles(slot, &surface, &is_kept, messages);
         contribution
     }
 
     /// Tells the owners of imports which of these must stay.
-    fn pass_needs_on(&self, slot: u32, surface: &PageSurface<'_>, (is_kept, messages): (&[bool], &Messages)) {
+    fn pass_needs_on(&self, slot: u32, surface: &PageSurface<'_>, is_kept: &[bool], messages: &Messages) {
         let owned = self.loaded.page(slot).positions.len() as u32;
         for (import, place) in (owned..).zip(self.loaded.imports_of(slot)) {
             if is_kept[surface.node(import) as usize] {
@@ -177,7 +177,8 @@ impl<'a> CutPages<'a> {
         &self,
         slot: u32,
         surface: &PageSurface<'_>,
-        (is_kept, messages): (&[bool], &Messages),
+        is_kept: &[bool],
+        messages: &Messages,
     ) -> (Vec<([u32; 3], u32)>, Vec<u32>) {
         let page = self.loaded.page(slot);
         let replaced = messages.replaced[slot as usize].lock();
@@ -200,7 +201,7 @@ impl<'a> CutPages<'a> {
     }
 
     /// One mesh of what all pages contribute.
-    fn joined(&self, contributions: Vec<Contribution>) -> Cut {
+    fn joined(&self, contributions: Vec<Contribution>) -> PagedCut {
         let loaded = &self.loaded;
         let mut number = vec![0u32; loaded.vertex_count()];
         for (corners, _) in contributions.iter().flat_map(|contribution| &contribution.triangles) {
@@ -218,7 +219,7 @@ impl<'a> CutPages<'a> {
         let mut triangles = Triangles::default();
         for (slot, mut own) in loaded.levels().into_iter().flatten().zip(contributions) {
             own.triangles.iter_mut().for_each(|(corners, _)| *corners = corners.map(|v| number[v as usize]));
-            triangles.extend(own.triangles, (loaded.page(slot), &own.places));
+            triangles.extend(own.triangles, loaded.page(slot), &own.places);
         }
         let (groups, triangles, triangle_layers) = grouped(triangles, self.metadata);
         let mesh = IndexedMesh {
@@ -233,6 +234,6 @@ impl<'a> CutPages<'a> {
         };
         let page_of_vertex = used.iter().map(|at| loaded.index_of(at.slot)).collect();
         let step_count = loaded.pages().map(|page| page.keys.len()).sum();
-        Cut { mesh, page_of_vertex, refined_count, step_count, error }
+        PagedCut { mesh, page_of_vertex, refined_count, step_count, error }
     }
 }

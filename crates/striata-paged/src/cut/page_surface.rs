@@ -38,7 +38,7 @@ impl<'a> PageSurface<'a> {
         let page = loaded.page(slot);
         let owned_positions = page.first.len() as u32 - 1;
         let imported =
-            |place: &crate::loaded::Place| loaded.page(place.slot).positions[place.vertex as usize];
+            |place: &crate::loaded::VertexPlace| loaded.page(place.slot).positions[place.vertex as usize];
         let points = page.positions.iter().copied().chain(loaded.imports_of(slot).iter().map(imported));
         let mut surface = Self {
             page,

@@ -3,7 +3,7 @@
 use striata::ignore_progress;
 use striata::mesh::replay;
 use striata_paged::build::{
-    BuildError, BuildInput, BuildOptions, Limit, Plan, SimulationOptions, run_all, run_task,
+    BuildInput, BuildOptions, Limit, PagedBuildError, PagedPlan, SimulationOptions, run_all, run_task,
 };
 use tempfile::TempDir;
 
@@ -20,7 +20,7 @@ fn terrain_is_the_same_with_any_number_of_threads_and_in_any_order() {
     let plan = plan(&folder, input, options(), "tasks.striata");
     for stage in plan.stages() {
         for number in stage.tasks().rev() {
-            run_task(&Plan::open(&plan.folder).unwrap(), number).unwrap();
+            run_task(&PagedPlan::open(&plan.folder).unwrap(), number).unwrap();
             if number % 3 == 0 {
                 run_task(&plan, number).unwrap();
             }
@@ -34,8 +34,8 @@ fn tasks_that_are_not_ready_and_unknown_tasks_are_refused() {
     let folder = TempDir::new().unwrap();
     let plan = plan(&folder, BuildInput::Terrain(120), options(), "a.striata");
     let last = plan.tasks.len() - 1;
-    assert!(matches!(run_task(&plan, last), Err(BuildError::TaskOrder { needed: 0, .. })));
-    assert!(matches!(run_task(&plan, last + 1), Err(BuildError::NoTask { .. })));
+    assert!(matches!(run_task(&plan, last), Err(PagedBuildError::TaskOrder { needed: 0, .. })));
+    assert!(matches!(run_task(&plan, last + 1), Err(PagedBuildError::NoTask { .. })));
     assert!(!plan.output.exists());
 }
 
@@ -54,10 +54,10 @@ fn an_interrupted_build_goes_on() {
                 std::ops::ControlFlow::Continue(())
             }
         });
-        assert!(matches!(result, Err(BuildError::Cancelled(_))));
+        assert!(matches!(result, Err(PagedBuildError::Cancelled(_))));
         assert!(!plan.output.exists());
     }
-    run_all(&Plan::open(&plan.folder).unwrap(), 2, &mut ignore_progress).unwrap();
+    run_all(&PagedPlan::open(&plan.folder).unwrap(), 2, &mut ignore_progress).unwrap();
     assert!(std::fs::read(&plan.output).unwrap() == whole);
 }
 
@@ -143,7 +143,7 @@ fn a_base_that_cannot_be_reached_is_an_error_if_it_must_be() {
         BuildOptions { base: Some(Limit::Absolute(500.0)), strict: true, lock_boundary: true, ..options() };
     let strict = plan(&folder, BuildInput::Terrain(150), strict, "strict.striata");
     let error = run_all(&strict, 1, &mut ignore_progress).unwrap_err();
-    assert!(matches!(error, BuildError::Base { triangles: 594.., limit: 500 }), "{error}");
+    assert!(matches!(error, PagedBuildError::Base { triangles: 594.., limit: 500 }), "{error}");
     assert!(!strict.output.exists());
 }
 

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use striata::ignore_progress;
 use striata_paged::PagedFile;
-use striata_paged::build::{BuildInput, BuildOptions, Plan, run_all};
+use striata_paged::build::{BuildInput, BuildOptions, BuildPaths, PagedPlan, run_all};
 
 /// Serves the files of a folder, as far as requests ask for ranges; returns the address.
 fn serve(folder: PathBuf) -> String {
@@ -62,8 +62,15 @@ fn files_and_folders_are_read_in_ranges() {
     for name in ["t.striata", "pages"] {
         let options = BuildOptions { cell: 2000, ..BuildOptions::default() };
         let (output, work) = (folder.path().join(name), folder.path().join("work"));
-        let input = (BuildInput::Terrain(200), options);
-        let plan = Plan::make(input, &output, &work, (1, &mut ignore_progress)).unwrap();
+        let input = BuildInput::Terrain(200);
+        let plan = PagedPlan::make(
+            input,
+            options,
+            BuildPaths { output: &output, folder: &work },
+            1,
+            &mut ignore_progress,
+        )
+        .unwrap();
         run_all(&plan, 1, &mut ignore_progress).unwrap();
         plan.remove_work().unwrap();
     }
@@ -85,9 +92,11 @@ fn files_and_folders_are_written_to_addresses() {
     let folder = tempfile::TempDir::new().unwrap();
     let options = BuildOptions { cell: 2000, ..BuildOptions::default() };
     let build = |output: &std::path::Path| {
-        let input = (BuildInput::Terrain(200), options.clone());
+        let (input, options) = (BuildInput::Terrain(200), options.clone());
         let work = folder.path().join("work");
-        let plan = Plan::make(input, output, &work, (1, &mut ignore_progress)).unwrap();
+        let plan =
+            PagedPlan::make(input, options, BuildPaths { output, folder: &work }, 1, &mut ignore_progress)
+                .unwrap();
         let result = run_all(&plan, 1, &mut ignore_progress);
         plan.remove_work().unwrap();
         result
@@ -106,11 +115,12 @@ fn files_and_folders_are_written_to_addresses() {
     let nowhere = serve(folder.path().to_owned());
     let error = build(format!("{nowhere}/refused").as_ref()).unwrap_err().to_string();
     assert!(error.contains("refused"), "{error}");
-    let unknown = Plan::make(
-        (BuildInput::Terrain(200), options.clone()),
-        "unknown://bucket/a".as_ref(),
-        &folder.path().join("work"),
-        (1, &mut ignore_progress),
+    let unknown = PagedPlan::make(
+        BuildInput::Terrain(200),
+        options.clone(),
+        BuildPaths { output: "unknown://bucket/a".as_ref(), folder: &folder.path().join("work") },
+        1,
+        &mut ignore_progress,
     );
     assert!(unknown.unwrap_err().to_string().contains("unknown://bucket/a"));
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use striata::ignore_progress;
 use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, TriangleGroup, replay, shapes};
-use striata_paged::build::{BuildInput, BuildOptions, Plan, run_all};
+use striata_paged::build::{BuildInput, BuildOptions, BuildPaths, PagedPlan, run_all};
 use striata_paged::{Assembled, PagedFile};
 use tempfile::TempDir;
 
@@ -13,9 +13,10 @@ pub(crate) fn options() -> BuildOptions {
     BuildOptions { cell: 2000, pieces_per_task: 2, cells_per_task: 3, ..BuildOptions::default() }
 }
 
-pub(crate) fn plan(folder: &TempDir, input: BuildInput, options: BuildOptions, name: &str) -> Plan {
+pub(crate) fn plan(folder: &TempDir, input: BuildInput, options: BuildOptions, name: &str) -> PagedPlan {
     let (output, work) = (folder.path().join(name), folder.path().join(format!("{name}.work")));
-    Plan::make((input, options), &output, &work, (2, &mut ignore_progress)).unwrap()
+    PagedPlan::make(input, options, BuildPaths { output: &output, folder: &work }, 2, &mut ignore_progress)
+        .unwrap()
 }
 
 pub(crate) fn build(folder: &TempDir, input: BuildInput, options: BuildOptions, threads: usize) -> PathBuf {

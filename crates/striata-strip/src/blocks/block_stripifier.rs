@@ -2,7 +2,7 @@
 
 use striata::strip::{RESTART, StripCost, StripSet, strip_triangles};
 
-use super::chain::{Chain, End};
+use super::chain::{BlockChain, ChainEnd};
 use super::joints::Joints;
 use super::options::{BlockOptions, BlocksError, BlocksReport, WriteStripFn};
 use super::pending::{OpenEnd, PendingStrip, PendingStrips, TouchedStrip};
@@ -22,7 +22,7 @@ const MIN_LOOSE_TRIANGLES: usize = 4096;
 /// State between two blocks.
 pub(super) struct BlockStripifier<'a, W> {
     options: &'a BlockOptions,
-    writer: Writer<'a, W>,
+    writer: BlockStripWriter<'a, W>,
     pending: PendingStrips,
     window: Window,
     joints: Joints,
@@ -34,7 +34,7 @@ impl<'a, W> BlockStripifier<'a, W> {
     pub(super) fn new(options: &'a BlockOptions, write: &'a mut WriteStripFn<'a, W>) -> Self {
         Self {
             options,
-            writer: Writer { write, group: 0, is_begun: false, cost: StripCost::default() },
+            writer: BlockStripWriter { write, group: 0, is_begun: false, cost: StripCost::default() },
             pending: PendingStrips::default(),
             window: Window::default(),
             joints: Joints::default(),
@@ -116,12 +116,13 @@ impl<'a, W> BlockStripifier<'a, W> {
                 let triangles = strip_triangles(strip).map(|t| self.window.to_mesh_triangle(t)).collect();
                 PendingStrip::Loose { strip: in_mesh, triangles, open: self.window.open_sides(strip) }
             } else {
-                let chain = Chain::new(&in_mesh);
+                let chain = BlockChain::new(&in_mesh);
                 let end_of = |end| {
                     chain.last_edge(end)?;
                     self.window.open_sides_in_mesh(chain.end_triangle(end))
                 };
-                let ends = End::BOTH.map(|e| end_of(e).map(|(triangle, open)| OpenEnd { triangle, open }));
+                let ends =
+                    ChainEnd::BOTH.map(|e| end_of(e).map(|(triangle, open)| OpenEnd { triangle, open }));
                 PendingStrip::Chain { chain, ends }
             };
             self.keep_or_write(pending)?;
@@ -179,7 +180,7 @@ fn check_vertices<R, W>(index: u32, block: &Block) -> Result<(), BlocksError<R, 
 }
 
 /// Writes strips and sums up their cost.
-struct Writer<'a, W> {
+struct BlockStripWriter<'a, W> {
     write: &'a mut WriteStripFn<'a, W>,
     group: u32,
     /// Whether the group already has a strip.
@@ -187,7 +188,7 @@ struct Writer<'a, W> {
     cost: StripCost,
 }
 
-impl<W> Writer<'_, W> {
+impl<W> BlockStripWriter<'_, W> {
     fn push(&mut self, strip: &PendingStrip) -> Result<(), W> {
         let mut indices = Vec::new();
         strip.write(&mut indices);

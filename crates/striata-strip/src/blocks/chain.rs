@@ -17,12 +17,12 @@ use striata::mesh::is_proper;
 
 /// One end of a strip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum End {
+pub(super) enum ChainEnd {
     Front = 0,
     Back = 1,
 }
 
-impl End {
+impl ChainEnd {
     pub(super) const BOTH: [Self; 2] = [Self::Front, Self::Back];
 
     /// Returns the opposite end.
@@ -41,13 +41,13 @@ pub(super) fn sides_of([a, b, c]: [u32; 3]) -> [(u32, u32); 3] {
 
 /// Strip of at least one triangle; its first and last triangles are not degenerate.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Chain {
+pub(super) struct BlockChain {
     indices: VecDeque<u32>,
     /// Whether the first triangle has the winding of an odd position.
     is_odd: bool,
 }
 
-impl Chain {
+impl BlockChain {
     /// Creates a chain from the indices of a strip.
     pub(super) fn new(strip: &[u32]) -> Self {
         debug_assert!(strip.len() >= 3, "a strip of {} indices has no triangle", strip.len());
@@ -60,42 +60,42 @@ impl Chain {
     }
 
     /// Returns the index at a distance from an end.
-    fn at(&self, end: End, distance: usize) -> u32 {
+    fn at(&self, end: ChainEnd, distance: usize) -> u32 {
         match end {
-            End::Front => self.indices[distance],
-            End::Back => self.indices[self.indices.len() - 1 - distance],
+            ChainEnd::Front => self.indices[distance],
+            ChainEnd::Back => self.indices[self.indices.len() - 1 - distance],
         }
     }
 
     /// Adds an index at an end.
-    fn push(&mut self, end: End, vertex: u32) {
+    fn push(&mut self, end: ChainEnd, vertex: u32) {
         match end {
-            End::Front => {
+            ChainEnd::Front => {
                 self.indices.push_front(vertex);
                 self.is_odd = !self.is_odd;
             }
-            End::Back => self.indices.push_back(vertex),
+            ChainEnd::Back => self.indices.push_back(vertex),
         }
     }
 
     /// Removes the index at an end.
-    fn pop(&mut self, end: End) {
+    fn pop(&mut self, end: ChainEnd) {
         match end {
-            End::Front => {
+            ChainEnd::Front => {
                 self.indices.pop_front();
                 self.is_odd = !self.is_odd;
             }
-            End::Back => {
+            ChainEnd::Back => {
                 self.indices.pop_back();
             }
         }
     }
 
     /// Returns the triangle at an end, with its winding.
-    pub(super) fn end_triangle(&self, end: End) -> [u32; 3] {
+    pub(super) fn end_triangle(&self, end: ChainEnd) -> [u32; 3] {
         let first = match end {
-            End::Front => 0,
-            End::Back => self.indices.len() - 3,
+            ChainEnd::Front => 0,
+            ChainEnd::Back => self.indices.len() - 3,
         };
         let [a, b, c] = [0, 1, 2].map(|i| self.indices[first + i]);
         if self.is_odd != (first % 2 == 1) { [b, a, c] } else { [a, b, c] }
@@ -105,7 +105,7 @@ impl Chain {
     ///
     /// If a triangle lies next to the edge of the outermost two indices, it is the third one, which needs
     /// no swap.
-    pub(super) fn spare_corner(&self, end: End, has_neighbor_at: impl Fn([u32; 2]) -> bool) -> u32 {
+    pub(super) fn spare_corner(&self, end: ChainEnd, has_neighbor_at: impl Fn([u32; 2]) -> bool) -> u32 {
         let [outermost, middle, inner] = [0, 1, 2].map(|distance| self.at(end, distance));
         if has_neighbor_at([outermost, middle]) { inner } else { middle }
     }
@@ -115,7 +115,7 @@ impl Chain {
     ///
     /// Two triangles that contain an edge in the same direction were joined at a vertex, whatever else they
     /// share.
-    pub(super) fn last_edge(&self, end: End) -> Option<[u32; 2]> {
+    pub(super) fn last_edge(&self, end: ChainEnd) -> Option<[u32; 2]> {
         let edge = [self.at(end, 1), self.at(end, 2)];
         let before = (1..self.len() - 2).map(|first| [0, 1, 2].map(|i| self.at(end, first + i)));
         let (distance, previous) = (1..).zip(before).find(|(_, corners)| is_proper(corners))?;
@@ -129,7 +129,7 @@ impl Chain {
     }
 
     /// Removes the triangle at an end if the strip entered it across an edge, and returns that edge.
-    pub(super) fn take_end(&mut self, end: End) -> Option<[u32; 2]> {
+    pub(super) fn take_end(&mut self, end: ChainEnd) -> Option<[u32; 2]> {
         let edge = self.last_edge(end)?;
         self.pop(end);
         while !is_proper(&[0, 1, 2].map(|distance| self.at(end, distance))) {
@@ -139,14 +139,14 @@ impl Chain {
     }
 
     /// Whether the strip can continue from an end across this edge of its end triangle.
-    fn can_leave_by(&self, end: End, [u, v]: [u32; 2]) -> bool {
+    fn can_leave_by(&self, end: ChainEnd, [u, v]: [u32; 2]) -> bool {
         let corners = [0, 1, 2].map(|distance| self.at(end, distance));
         let is_free = |corner: u32| corner == corners[0] || self.len() == 3;
         is_proper(&corners) && corners.contains(&u) && corners.contains(&v) && (is_free(u) || is_free(v))
     }
 
     /// Makes this edge the outermost two indices.
-    fn turn_to(&mut self, end: End, edge: [u32; 2]) {
+    fn turn_to(&mut self, end: ChainEnd, edge: [u32; 2]) {
         if self.len() == 3 {
             while edge.contains(&self.at(end, 2)) {
                 self.indices.rotate_left(1);
@@ -162,7 +162,13 @@ impl Chain {
     /// Continues from an end with another strip, across the edge that both end triangles share.
     ///
     /// Returns the other strip unchanged if either strip already continues across that edge.
-    pub(super) fn join(&mut self, end: End, mut other: Self, other_end: End, edge: [u32; 2]) -> Option<Self> {
+    pub(super) fn join(
+        &mut self,
+        end: ChainEnd,
+        mut other: Self,
+        other_end: ChainEnd,
+        edge: [u32; 2],
+    ) -> Option<Self> {
         if !self.can_leave_by(end, edge) || !other.can_leave_by(other_end, edge) {
             return Some(other);
         }
@@ -197,21 +203,21 @@ mod tests {
     use striata::mesh::canonical_triangles;
     use striata::strip::strip_triangles;
 
-    fn written(chain: &Chain) -> Vec<u32> {
+    fn written(chain: &BlockChain) -> Vec<u32> {
         let mut out = Vec::new();
         chain.write(&mut out);
         out
     }
 
-    fn triangles(chain: &Chain) -> Vec<[u32; 3]> {
+    fn triangles(chain: &BlockChain) -> Vec<[u32; 3]> {
         canonical_triangles(&strip_triangles(&written(chain)).collect::<Vec<_>>())
     }
 
     #[test]
     fn ends_know_their_winding() {
-        let chain = Chain::new(&[0, 1, 2, 3, 2, 4]);
-        assert_eq!(chain.end_triangle(End::Front), [0, 1, 2]);
-        assert_eq!(chain.end_triangle(End::Back), [2, 3, 4]);
+        let chain = BlockChain::new(&[0, 1, 2, 3, 2, 4]);
+        assert_eq!(chain.end_triangle(ChainEnd::Front), [0, 1, 2]);
+        assert_eq!(chain.end_triangle(ChainEnd::Back), [2, 3, 4]);
     }
 
     #[test]
@@ -219,8 +225,8 @@ mod tests {
         for strip in
             [&[0, 1, 2, 3, 4][..], &[0, 1, 2, 3, 2, 4], &[0, 1, 2, 1, 3, 4, 5], &[0, 1, 2, 1, 3, 1, 4]]
         {
-            for end in End::BOTH {
-                let whole = Chain::new(strip);
+            for end in ChainEnd::BOTH {
+                let whole = BlockChain::new(strip);
                 let mut rest = whole.clone();
                 let corners = whole.end_triangle(end);
                 let edge = rest.take_end(end).unwrap();
@@ -228,9 +234,9 @@ mod tests {
                 for turn in 0..3 {
                     let mut single = corners;
                     single.rotate_left(turn);
-                    for other_end in End::BOTH {
+                    for other_end in ChainEnd::BOTH {
                         let mut joined = rest.clone();
-                        assert_eq!(joined.join(end, Chain::new(&single), other_end, edge), None);
+                        assert_eq!(joined.join(end, BlockChain::new(&single), other_end, edge), None);
                         assert_eq!(triangles(&joined), triangles(&whole), "{strip:?} {end:?} {other_end:?}");
                     }
                 }
@@ -242,9 +248,13 @@ mod tests {
     fn an_end_that_was_reached_by_a_vertex_alone_stays() {
         // Two strips joined at vertex 3 by degenerate triangles; then a strip of one triangle.
         for strip in [&[0, 1, 2, 3, 3, 4, 5][..], &[0, 1, 2]] {
-            let mut chain = Chain::new(strip);
+            let mut chain = BlockChain::new(strip);
             let whole = chain.clone();
-            assert_eq!((chain.last_edge(End::Back), chain.take_end(End::Back)), (None, None), "{strip:?}");
+            assert_eq!(
+                (chain.last_edge(ChainEnd::Back), chain.take_end(ChainEnd::Back)),
+                (None, None),
+                "{strip:?}"
+            );
             assert_eq!(chain, whole);
         }
     }
@@ -252,27 +262,27 @@ mod tests {
     #[test]
     fn strips_join_over_any_edge_of_their_ends() {
         // Two strips of a fan of quads: the end of one has two free sides.
-        let first = Chain::new(&[0, 1, 2, 3]);
+        let first = BlockChain::new(&[0, 1, 2, 3]);
         for (edge, strip, length) in [
             ([2, 3], [2, 3, 4, 5], 6),
             ([2, 3], [5, 4, 3, 2], 6),
             ([1, 3], [3, 1, 6, 7], 8),
             ([1, 3], [1, 6, 3, 7], 8),
         ] {
-            let second = Chain::new(&strip);
+            let second = BlockChain::new(&strip);
             let other_end = if strip[..3].contains(&edge[0]) && strip[..3].contains(&edge[1]) {
-                End::Front
+                ChainEnd::Front
             } else {
-                End::Back
+                ChainEnd::Back
             };
             let mut joined = first.clone();
-            assert_eq!(joined.join(End::Back, second.clone(), other_end, edge), None);
+            assert_eq!(joined.join(ChainEnd::Back, second.clone(), other_end, edge), None);
             assert_eq!(written(&joined).len(), length, "{edge:?} {strip:?}: {:?}", written(&joined));
             assert_eq!(triangles(&joined).len(), 4);
         }
         let mut inner = first.clone();
-        let second = Chain::new(&[1, 2, 8, 9]);
-        assert_eq!(inner.join(End::Back, second.clone(), End::Front, [1, 2]), Some(second));
+        let second = BlockChain::new(&[1, 2, 8, 9]);
+        assert_eq!(inner.join(ChainEnd::Back, second.clone(), ChainEnd::Front, [1, 2]), Some(second));
         assert_eq!(inner, first);
     }
 }

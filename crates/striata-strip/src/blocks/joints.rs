@@ -4,7 +4,7 @@
 //! A strip that passes them begins with them, and their turn decides how it continues without a swap. It
 //! joins the chain at the **joint**, the side across which the chain had entered them.
 
-use super::chain::{Chain, End, sides_of};
+use super::chain::{BlockChain, ChainEnd, sides_of};
 use super::integer_map::IntegerMap;
 use super::pending::{OpenEnd, PendingStrip};
 use super::window::Window;
@@ -12,7 +12,7 @@ use super::window::Window;
 /// A chain while its block is being processed.
 #[derive(Debug)]
 struct OpenChain {
-    chain: Chain,
+    chain: BlockChain,
     /// Ends that no block has reached yet.
     ends: [Option<OpenEnd>; 2],
     /// For each end, the directed side of a window triangle across which the chain had entered it.
@@ -23,20 +23,20 @@ struct OpenChain {
 #[derive(Debug, Default)]
 pub(super) struct Joints {
     chains: Vec<Option<OpenChain>>,
-    by_side: IntegerMap<(u32, u32), (usize, End)>,
+    by_side: IntegerMap<(u32, u32), (usize, ChainEnd)>,
 }
 
 impl Joints {
     /// Adds a chain; its end triangles enter the window at the ends that the block touches.
     pub(super) fn push(
         &mut self,
-        mut chain: Chain,
+        mut chain: BlockChain,
         mut ends: [Option<OpenEnd>; 2],
         reached: &[Vec<(u32, u32)>; 2],
         window: &mut Window,
     ) {
         let mut joints = [None; 2];
-        for end in End::BOTH.into_iter().filter(|&end| !reached[end as usize].is_empty()) {
+        for end in ChainEnd::BOTH.into_iter().filter(|&end| !reached[end as usize].is_empty()) {
             let Some(open_end) = ends[end as usize].take() else { continue };
             let is_touched =
                 |[u, v]: [u32; 2]| reached[end as usize].iter().any(|&side| side == (u, v) || side == (v, u));
@@ -67,8 +67,8 @@ impl Joints {
         if self.by_side.is_empty() {
             return false;
         }
-        let mut strip = Chain::new(strip);
-        for strip_end in End::BOTH {
+        let mut strip = BlockChain::new(strip);
+        for strip_end in ChainEnd::BOTH {
             for side in sides_of(strip.end_triangle(strip_end)) {
                 let Some(&(index, end)) = self.by_side.get(&side) else { continue };
                 let Some(part) = &mut self.chains[index] else { continue };
@@ -87,7 +87,7 @@ impl Joints {
     }
 
     /// Continues from the end of a chain that a strip was just added to.
-    fn join_next(&mut self, index: usize, end: End, window: &Window) {
+    fn join_next(&mut self, index: usize, end: ChainEnd, window: &Window) {
         let Some(mut part) = self.chains[index].take() else { return };
         let corners = part.chain.end_triangle(end);
         part.ends[end as usize] =

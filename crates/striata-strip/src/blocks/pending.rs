@@ -5,7 +5,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::chain::{Chain, End, sides_of};
+use super::chain::{BlockChain, ChainEnd, sides_of};
 use super::integer_map::IntegerMap;
 use super::source::{Block, BlockTriangle};
 
@@ -31,7 +31,7 @@ pub(super) enum PendingStrip {
     /// A short strip that may be taken apart: its triangles, and all its open sides.
     Loose { strip: Vec<u32>, triangles: Vec<BlockTriangle>, open: OpenSides },
     /// A long strip, and those of its ends that are open.
-    Chain { chain: Chain, ends: [Option<OpenEnd>; 2] },
+    Chain { chain: BlockChain, ends: [Option<OpenEnd>; 2] },
 }
 
 impl PendingStrip {
@@ -44,12 +44,12 @@ impl PendingStrip {
     }
 
     /// Iterates over the open sides of the strip, with the end they are at.
-    fn open_sides(&self) -> impl Iterator<Item = (&OpenSides, End)> {
+    fn open_sides(&self) -> impl Iterator<Item = (&OpenSides, ChainEnd)> {
         let (loose, ends) = match self {
-            Self::Loose { open, .. } => (Some((open, End::Front)), None),
+            Self::Loose { open, .. } => (Some((open, ChainEnd::Front)), None),
             Self::Chain { ends, .. } => (None, Some(ends)),
         };
-        let at_ends = ends.into_iter().flat_map(|ends| ends.iter().zip(End::BOTH));
+        let at_ends = ends.into_iter().flat_map(|ends| ends.iter().zip(ChainEnd::BOTH));
         loose.into_iter().chain(at_ends.filter_map(|(end, which)| Some((&end.as_ref()?.open, which))))
     }
 
@@ -82,7 +82,7 @@ pub(super) struct PendingStrips {
     strips: BTreeMap<u32, PendingStrip>,
     by_expiry: BTreeSet<(u32, u32)>,
     /// For each open side, the strip it belongs to and the end it is at.
-    sides: IntegerMap<(u32, u32), (u32, End)>,
+    sides: IntegerMap<(u32, u32), (u32, ChainEnd)>,
     next_id: u32,
     triangle_count: usize,
     peak_triangle_count: usize,

@@ -3,11 +3,11 @@
 use striata::mesh::NO_TWIN;
 use striata::strip::{StripLinks, prev_side};
 
-use crate::task::Task;
+use crate::task::StripTask;
 
 /// Triangles, their links, and the proper triangles around each vertex. Takes 12 bytes per triangle and 4
 /// per vertex.
-pub(super) struct Adjacency<'a> {
+pub(super) struct TriangleAdjacency<'a> {
     pub triangles: &'a [[u32; 3]],
     twins: &'a [u32],
     /// Start of each vertex's range in `around`, followed by the total.
@@ -15,9 +15,9 @@ pub(super) struct Adjacency<'a> {
     around: Vec<u32>,
 }
 
-impl<'a> Adjacency<'a> {
+impl<'a> TriangleAdjacency<'a> {
     /// Collects the adjacency of a mesh.
-    pub(super) fn new(task: &Task<'a>, links: &StripLinks<'a>) -> Self {
+    pub(super) fn new(task: &StripTask<'a>, links: &StripLinks<'a>) -> Self {
         let triangles = task.triangles;
         let vertex_limit = triangles.iter().flatten().max().map_or(0, |&v| v as usize + 1);
         let proper = || (0..triangles.len() as u32).filter(|&t| task.is_proper(t));

@@ -15,7 +15,7 @@
 use striata::mesh::Random;
 use striata::strip::{next_side, prev_side};
 
-use super::adjacency::Adjacency;
+use super::adjacency::TriangleAdjacency;
 use super::beam_cache::BeamCache;
 use super::drawn_sets::{DrawnBits, DrawnSets};
 
@@ -43,7 +43,7 @@ const START_LOOK_COUNT: usize = 64;
 
 /// Data that all states share.
 pub(super) struct SearchContext<'a> {
-    pub adjacency: Adjacency<'a>,
+    pub adjacency: TriangleAdjacency<'a>,
     pub drawn_sets: DrawnSets,
     pub prices: Prices,
     /// Triangles that may be drawn now: those of the current group.
@@ -52,17 +52,17 @@ pub(super) struct SearchContext<'a> {
 
 /// Drawing of one more triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Step {
+pub(super) enum DrawStep {
     /// A new strip begins with this triangle.
     Start(u32),
     /// The strip continues across this side.
     Cross(u32),
 }
 
-impl Step {
+impl DrawStep {
     /// Returns the triangle that the step draws.
     #[inline]
-    pub(super) fn triangle(self, adjacency: &Adjacency<'_>) -> u32 {
+    pub(super) fn triangle(self, adjacency: &TriangleAdjacency<'_>) -> u32 {
         match self {
             Self::Start(triangle) => triangle,
             Self::Cross(side) => adjacency.twin(side).expect("strips cross links") / 3,
@@ -72,15 +72,15 @@ impl Step {
 
 /// A step and the vertices it sends to the GPU.
 #[derive(Clone, Copy, Debug)]
-struct Move {
-    step: Step,
+struct DrawMove {
+    step: DrawStep,
     /// Vertices that the step sends, and how many of the three are used.
     sent: ([u32; 3], usize),
     /// Number of indices beyond one.
     index_price: f64,
 }
 
-impl Move {
+impl DrawMove {
     fn sent(&self) -> &[u32] {
         &self.sent.0[..self.sent.1]
     }
@@ -89,8 +89,8 @@ impl Move {
 /// A possible next move, and the prices of the state after it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ScoredMove {
-    pub step: Step,
-    candidate: Move,
+    pub step: DrawStep,
+    candidate: DrawMove,
     cost: f64,
     isolation: f64,
     /// Sum of what is paid and what will probably be paid; less is better.
@@ -99,7 +99,7 @@ pub(super) struct ScoredMove {
 
 /// End of the strip that a state is extending.
 #[derive(Clone, Copy, Debug)]
-enum Head {
+enum StripHead {
     Nothing,
     /// A strip of one triangle: it may continue across any side.
     Single(u32),
@@ -118,7 +118,7 @@ pub(super) struct BeamState {
     /// Last step, as a node of the step tree.
     pub leaf: u32,
     cached: BeamCache,
-    head: Head,
+    head: StripHead,
     cost: f64,
     isolation: f64,
     pub score: f64,
@@ -134,7 +134,7 @@ impl BeamState {
             strip_start: 0,
             leaf: ROOT,
             cached: BeamCache::new(cache_size),
-            head: Head::Nothing,
+            head: StripHead::Nothing,
             cost: 0.0,
             isolation: 0.0,
             score: 0.0,
@@ -158,7 +158,7 @@ impl BeamState {
     }
 
     /// Subtracts the costs of another state, so that the numbers stay small.
-    pub(super) fn subtract_account(&mut self, (cost, isolation): (f64, f64)) {
+    pub(super) fn subtract_account(&mut self, cost: f64, isolation: f64) {
         self.cost -= cost;
         self.isolation -= isolation;
         self.score -= cost + isolation;
@@ -191,9 +191,9 @@ impl BeamState {
             }
         };
         match self.head {
-            Head::Nothing => {}
-            Head::Single(triangle) => (3 * triangle..3 * triangle + 3).for_each(|side| add(side, false)),
-            Head::Entered(side, turns_next) => {
+            StripHead::Nothing => {}
+            StripHead::Single(triangle) => (3 * triangle..3 * triangle + 3).for_each(|side| add(side, false)),
+            StripHead::Entered(side, turns_next) => {
                 add(next_side(side), !turns_next);
                 add(prev_side(side), turns_next);
             }
@@ -210,7 +210,7 @@ impl BeamState {
             let is_open =
                 |t: &u32| context.group.contains(t) && !context.drawn_sets.is_drawn(&self.drawn, *t);
             for t in around.copied().filter(is_open).take(START_TRY_COUNT) {
-                if out[first..].iter().all(|other| other.step != Step::Start(t)) {
+                if out[first..].iter().all(|other| other.step != DrawStep::Start(t)) {
                     out.push(self.score_start(context, &forecast, t));
                 }
             }
@@ -250,17 +250,17 @@ impl BeamState {
         self.score_move(
             context,
             forecast,
-            Move { step: Step::Start(triangle), sent, index_price: START_PRICE },
+            DrawMove { step: DrawStep::Start(triangle), sent, index_price: START_PRICE },
         )
     }
 
     /// Returns the move across a side; it sends the new corner, preceded by the repeated vertex if it is a
     /// swap.
-    fn crossing(&self, context: &SearchContext<'_>, side: u32, is_swap: bool) -> Move {
+    fn crossing(&self, context: &SearchContext<'_>, side: u32, is_swap: bool) -> DrawMove {
         let adjacency = &context.adjacency;
         let apex = adjacency.twin(side).map_or(0, |entered| adjacency.apex(entered));
-        let mut candidate = Move { step: Step::Cross(side), sent: ([apex; 3], 1), index_price: 0.0 };
-        if let (Head::Entered(entered, _), true) = (self.head, is_swap) {
+        let mut candidate = DrawMove { step: DrawStep::Cross(side), sent: ([apex; 3], 1), index_price: 0.0 };
+        if let (StripHead::Entered(entered, _), true) = (self.head, is_swap) {
             // The swap repeats the older end of the side: not the corner that came with this triangle.
             let is_newer = adjacency.corner(side) == adjacency.apex(entered);
             let older = adjacency.corner(if is_newer { next_side(side) } else { side });
@@ -288,7 +288,7 @@ impl BeamState {
         &self,
         context: &SearchContext<'_>,
         forecast: &CacheForecast,
-        candidate: Move,
+        candidate: DrawMove,
     ) -> ScoredMove {
         let step = candidate.step;
         let triangle = step.triangle(&context.adjacency);
@@ -326,16 +326,18 @@ impl BeamState {
     pub(super) fn apply(&mut self, context: &mut SearchContext<'_>, scored: &ScoredMove, step_index: u32) {
         let triangle = scored.step.triangle(&context.adjacency);
         self.head = match (scored.step, self.head) {
-            (Step::Start(_), _) => {
+            (DrawStep::Start(_), _) => {
                 self.strip_start = step_index;
-                Head::Single(triangle)
+                StripHead::Single(triangle)
             }
             // Turns alternate if nothing is swapped.
-            (Step::Cross(side), Head::Entered(before, _)) => {
-                Head::Entered(context.adjacency.twin(side).unwrap_or(side), side != next_side(before))
+            (DrawStep::Cross(side), StripHead::Entered(before, _)) => {
+                StripHead::Entered(context.adjacency.twin(side).unwrap_or(side), side != next_side(before))
             }
             // The first turn of a strip to the previous side is free.
-            (Step::Cross(side), _) => Head::Entered(context.adjacency.twin(side).unwrap_or(side), false),
+            (DrawStep::Cross(side), _) => {
+                StripHead::Entered(context.adjacency.twin(side).unwrap_or(side), false)
+            }
         };
         (self.cost, self.isolation, self.score) = (scored.cost, scored.isolation, scored.score);
         self.hash ^= mixed(triangle.into());

@@ -5,7 +5,7 @@
 //! each state has one bit per column. Copying a state therefore copies 128 bytes, and a query takes two
 //! loads. Memory: two bytes per triangle and eight per vertex.
 
-use super::adjacency::Adjacency;
+use super::adjacency::TriangleAdjacency;
 
 /// Number of columns.
 pub(super) const COLUMN_COUNT: usize = 1024;
@@ -39,7 +39,7 @@ pub(super) struct DrawnSets {
 
 impl DrawnSets {
     /// Creates the sets for a mesh of which nothing is drawn.
-    pub(super) fn new(adjacency: &Adjacency<'_>) -> Self {
+    pub(super) fn new(adjacency: &TriangleAdjacency<'_>) -> Self {
         let valence = |v: usize| adjacency.around(v as u32).len() as u32;
         Self {
             columns: vec![UNTOUCHED; adjacency.triangles.len()],
@@ -86,7 +86,7 @@ impl DrawnSets {
     }
 
     /// Number of proper triangles around a vertex that a state has not drawn.
-    pub(super) fn open_count(&self, adjacency: &Adjacency<'_>, drawn: &DrawnBits, v: u32) -> u32 {
+    pub(super) fn open_count(&self, adjacency: &TriangleAdjacency<'_>, drawn: &DrawnBits, v: u32) -> u32 {
         let around = adjacency.around(v);
         if around.len() <= SMALL_VALENCE {
             return around.iter().filter(|&&t| !self.is_drawn(drawn, t)).count() as u32;
@@ -99,12 +99,12 @@ impl DrawnSets {
     }
 
     /// Returns the triangles around a vertex, without the final ones at the start of the list.
-    pub(super) fn pending_around<'s>(&self, adjacency: &'s Adjacency<'_>, v: u32) -> &'s [u32] {
+    pub(super) fn pending_around<'s>(&self, adjacency: &'s TriangleAdjacency<'_>, v: u32) -> &'s [u32] {
         &adjacency.around(v)[self.final_counts[v as usize] as usize..]
     }
 
     /// Makes final what all states have drawn, and frees the columns that no state has drawn.
-    pub(super) fn finalize(&mut self, adjacency: &Adjacency<'_>, states: &mut [&mut DrawnBits]) {
+    pub(super) fn finalize(&mut self, adjacency: &TriangleAdjacency<'_>, states: &mut [&mut DrawnBits]) {
         for word in 0..WORD_COUNT {
             let all = states.iter().fold(u64::MAX, |bits, drawn| bits & drawn[word]);
             let any = states.iter().fold(0, |bits, drawn| bits | drawn[word]);
@@ -118,7 +118,7 @@ impl DrawnSets {
     }
 
     /// Frees a column whose triangle either all states have drawn or none has.
-    fn release(&mut self, adjacency: &Adjacency<'_>, column: usize, is_drawn: bool) {
+    fn release(&mut self, adjacency: &TriangleAdjacency<'_>, column: usize, is_drawn: bool) {
         let triangle = std::mem::replace(&mut self.triangles[column], NO_TRIANGLE);
         if triangle == NO_TRIANGLE {
             return;

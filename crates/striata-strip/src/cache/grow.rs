@@ -14,11 +14,11 @@
 use striata::strip::{StripLinks, StripPath, StripSet};
 use striata::{Cancelled, Progress, ProgressFn};
 
-use super::adjacency::Adjacency;
-use super::beam_state::{BeamState, Prices, ScoredMove, SearchContext, Step, mixed};
+use super::adjacency::TriangleAdjacency;
+use super::beam_state::{BeamState, DrawStep, Prices, ScoredMove, SearchContext, mixed};
 use super::drawn_sets::{COLUMN_COUNT, DrawnSets};
 use super::step_tree::StepTree;
-use crate::task::Task;
+use crate::task::StripTask;
 
 /// Beam width (number of states) at effort 1.
 const WIDTH: f64 = 32.0;
@@ -42,12 +42,12 @@ const MAX_CACHE_SIZE: usize = 64;
 /// # Errors
 /// [`Cancelled`] if the callback cancels.
 pub(super) fn grow(
-    task: &Task<'_>,
+    task: &StripTask<'_>,
     links: &StripLinks<'_>,
     progress: &mut ProgressFn<'_>,
 ) -> Result<StripSet, Cancelled> {
-    let mut search = Search::new(task, links);
-    let mut writer = Writer { path: None, links, triangles: task.triangles, out: StripSet::new() };
+    let mut search = BeamSearch::new(task, links);
+    let mut writer = StepWriter { path: None, links, triangles: task.triangles, out: StripSet::new() };
     for group in task.groups {
         search.begin(group.start as u32..group.end as u32);
         let step_count = search.context.group.clone().filter(|&t| task.is_proper(t)).count() as u32;
@@ -71,7 +71,7 @@ pub(super) fn grow(
 }
 
 /// Beam search over one mesh.
-struct Search<'a> {
+struct BeamSearch<'a> {
     context: SearchContext<'a>,
     /// The first `live_count` are the states, best first; the others are unused.
     states: Vec<BeamState>,
@@ -88,13 +88,13 @@ struct Search<'a> {
     accepted: Vec<(u64, u32)>,
 }
 
-impl<'a> Search<'a> {
-    fn new(task: &Task<'a>, links: &StripLinks<'a>) -> Self {
+impl<'a> BeamSearch<'a> {
+    fn new(task: &StripTask<'a>, links: &StripLinks<'a>) -> Self {
         let options = task.options;
         let cache_size = options.cache_size.min(MAX_CACHE_SIZE);
         // This order of operations maps an effort that is not a number to the smallest width.
         let width = (WIDTH * options.effort).max(*WIDTHS.start()).min(*WIDTHS.end()) as usize;
-        let adjacency = Adjacency::new(task, links);
+        let adjacency = TriangleAdjacency::new(task, links);
         let context = SearchContext {
             drawn_sets: DrawnSets::new(&adjacency),
             adjacency,
@@ -158,8 +158,8 @@ impl<'a> Search<'a> {
             let parent = &self.states[*parent];
             let triangle = scored.step.triangle(&self.context.adjacency);
             let (is_start, strip_start) = match scored.step {
-                Step::Start(_) => (1, step_index),
-                Step::Cross(_) => (0, parent.strip_start),
+                DrawStep::Start(_) => (1, step_index),
+                DrawStep::Cross(_) => (0, parent.strip_start),
             };
             // Future costs depend on what is drawn and where the strip ends, not on how the state got there.
             let identity = mixed(
@@ -184,7 +184,7 @@ impl<'a> Search<'a> {
     }
 
     /// Passes the steps that all states share to the writer, and drops states if too little is shared.
-    fn finalize(&mut self, writer: &mut Writer<'_>) {
+    fn finalize(&mut self, writer: &mut StepWriter<'_>) {
         loop {
             self.finalize_triangles();
             if self.context.drawn_sets.free_count() >= COLUMN_COUNT / 2 || self.live_count == 1 {
@@ -204,8 +204,8 @@ impl<'a> Search<'a> {
                 kept_count += 1;
             }
         }
-        let paid = live[0].account();
-        live[..kept_count].iter_mut().for_each(|state| state.subtract_account(paid));
+        let (cost, isolation) = live[0].account();
+        live[..kept_count].iter_mut().for_each(|state| state.subtract_account(cost, isolation));
         self.live_count = kept_count;
         self.finalize_triangles();
         for step in trunk {
@@ -245,21 +245,21 @@ const LOSS_RISK: f64 = 0.7;
 const ISOLATION: [f64; 4] = [2.1, 1.35, 0.85, 0.0];
 
 /// Turns steps into strips.
-struct Writer<'a> {
+struct StepWriter<'a> {
     path: Option<StripPath>,
     links: &'a StripLinks<'a>,
     triangles: &'a [[u32; 3]],
     out: StripSet,
 }
 
-impl Writer<'_> {
-    fn apply(&mut self, step: Step) {
+impl StepWriter<'_> {
+    fn apply(&mut self, step: DrawStep) {
         match step {
-            Step::Start(first) => {
+            DrawStep::Start(first) => {
                 self.end_strip();
                 self.path = Some(StripPath { first, exits: Vec::new() });
             }
-            Step::Cross(side) => {
+            DrawStep::Cross(side) => {
                 if let Some(path) = &mut self.path {
                     path.exits.push(side);
                 }

@@ -19,7 +19,7 @@ mod step_tree;
 use striata::Cancelled;
 use striata::strip::{StripLinks, StripSet, fifo_cache_cost};
 
-use crate::task::{Limits, Task};
+use crate::task::{SearchLimits, StripTask};
 
 /// Lowest weight for which new strips are tried; below it they were never cheaper than reordered strips.
 const LEAST_WEIGHT_TO_GROW: f64 = 0.1;
@@ -29,10 +29,10 @@ const LEAST_WEIGHT_TO_GROW: f64 = 0.1;
 ///
 /// A cache of fewer than three vertices cannot contain a triangle, so the strips stay as they are.
 pub(crate) fn cheapest_for_cache(
-    task: &Task<'_>,
+    task: &StripTask<'_>,
     links: &StripLinks<'_>,
     strips: StripSet,
-    limits: &mut dyn Limits,
+    limits: &mut dyn SearchLimits,
 ) -> Result<StripSet, Cancelled> {
     let options = task.options;
     if options.cache_size < 3 {

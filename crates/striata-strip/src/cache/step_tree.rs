@@ -1,6 +1,6 @@
 //! Tree of the steps of all search states, whose common trunk is final.
 
-use super::beam_state::{ROOT, Step};
+use super::beam_state::{DrawStep, ROOT};
 
 /// Number of steps in which states may differ; beyond it, those that diverged earliest from the best are
 /// dropped.
@@ -8,21 +8,21 @@ const MAX_DEPTH: usize = 384;
 
 /// Step and its predecessor.
 #[derive(Clone, Copy)]
-struct Node {
+struct StepNode {
     parent: u32,
-    step: Step,
+    step: DrawStep,
 }
 
 /// Steps of all states, each with its predecessor.
 #[derive(Default)]
 pub(super) struct StepTree {
-    nodes: Vec<Node>,
+    nodes: Vec<StepNode>,
 }
 
 impl StepTree {
     /// Adds a step after `parent` and returns its node.
-    pub(super) fn push(&mut self, parent: u32, step: Step) -> u32 {
-        self.nodes.push(Node { parent, step });
+    pub(super) fn push(&mut self, parent: u32, step: DrawStep) -> u32 {
+        self.nodes.push(StepNode { parent, step });
         self.nodes.len() as u32 - 1
     }
 
@@ -38,7 +38,7 @@ impl StepTree {
     /// Moves the steps that all leaves share to `trunk` and renumbers the leaves; the first leaf is the best.
     ///
     /// Leaves that diverged too early from the best one become [`None`].
-    pub(super) fn cut_trunk(&mut self, leaves: &mut [Option<u32>], trunk: &mut Vec<Step>) {
+    pub(super) fn cut_trunk(&mut self, leaves: &mut [Option<u32>], trunk: &mut Vec<DrawStep>) {
         let Some(Some(best)) = leaves.first().copied() else { return };
         let path = self.path(best);
         let mut index_on_path = vec![usize::MAX; self.nodes.len()];
@@ -89,17 +89,17 @@ mod tests {
     #[test]
     fn the_trunk_is_cut_off_once() {
         let mut steps = StepTree::default();
-        let a = steps.push(ROOT, Step::Start(0));
-        let b = steps.push(a, Step::Cross(1));
-        let left = steps.push(b, Step::Cross(2));
-        let right = steps.push(b, Step::Cross(3));
+        let a = steps.push(ROOT, DrawStep::Start(0));
+        let b = steps.push(a, DrawStep::Cross(1));
+        let left = steps.push(b, DrawStep::Cross(2));
+        let right = steps.push(b, DrawStep::Cross(3));
         let mut leaves = [Some(left), Some(right)];
         let mut trunk = Vec::new();
         steps.cut_trunk(&mut leaves, &mut trunk);
-        assert_eq!(trunk, [Step::Start(0), Step::Cross(1)]);
+        assert_eq!(trunk, [DrawStep::Start(0), DrawStep::Cross(1)]);
         let mut leaves = [leaves[1]];
         steps.cut_trunk(&mut leaves, &mut trunk);
-        assert_eq!(trunk, [Step::Start(0), Step::Cross(1), Step::Cross(3)]);
+        assert_eq!(trunk, [DrawStep::Start(0), DrawStep::Cross(1), DrawStep::Cross(3)]);
         assert_eq!(leaves, [Some(ROOT)]);
         steps.cut_trunk(&mut leaves, &mut trunk);
         assert_eq!(trunk.len(), 3);
@@ -110,7 +110,7 @@ mod tests {
         let mut steps = StepTree::default();
         let mut grow = |mut leaf, count| {
             for side in 0..count {
-                leaf = steps.push(leaf, Step::Cross(side));
+                leaf = steps.push(leaf, DrawStep::Cross(side));
             }
             leaf
         };

@@ -16,7 +16,7 @@ mod strip_state;
 use striata::Cancelled;
 use striata::strip::{StripLinks, StripOrder, StripSet, join_greedily_with_progress};
 
-use crate::task::{Limits, Task};
+use crate::task::{SearchLimits, StripTask};
 use anneal::{Annealer, COLD, HOT_TO_COLD};
 use strip_state::StripState;
 
@@ -29,9 +29,9 @@ const COOLING_SHARE: f64 = 0.8;
 /// in time. If the strips that the search began with were cheaper, the search starts again from those and
 /// stays cold.
 pub(crate) fn run(
-    task: &Task<'_>,
+    task: &StripTask<'_>,
     links: &mut StripLinks<'_>,
-    limits: &mut dyn Limits,
+    limits: &mut dyn SearchLimits,
     out: &mut StripSet,
 ) -> Result<(), Cancelled> {
     join_greedily_with_progress(task.triangles, task.groups, links, &mut |now| limits.report(now))?;

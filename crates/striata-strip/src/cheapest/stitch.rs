@@ -17,18 +17,18 @@
 use striata::mesh::NO_TWIN as NONE;
 use striata::strip::{StripLinks, StripOrder, StripPath, StripSet};
 
-use crate::task::Task;
+use crate::task::StripTask;
 
 /// Writes all strips, joined into chains.
-pub(super) fn write(task: &Task<'_>, links: &StripLinks<'_>, out: &mut StripSet) {
+pub(super) fn write(task: &StripTask<'_>, links: &StripLinks<'_>, out: &mut StripSet) {
     let mut order = StripOrder::new(task.triangles);
     let mut chain = Vec::new();
     for group in task.groups {
         let mut pieces = Vec::new();
-        order.visit(group.clone(), links, |path| pieces.push(Piece::new(path, task.triangles, links)));
+        order.visit(group.clone(), links, |path| pieces.push(StripPiece::new(path, task.triangles, links)));
         let joints = join_pieces(&pieces);
         let mut writer =
-            Writer { triangles: task.triangles, links, pieces: &pieces, path: StripPath::default() };
+            PieceWriter { triangles: task.triangles, links, pieces: &pieces, path: StripPath::default() };
         for start in chain_starts(&pieces, &joints) {
             chain.clear();
             let mut entered = start;
@@ -44,7 +44,7 @@ pub(super) fn write(task: &Task<'_>, links: &StripLinks<'_>, out: &mut StripSet)
 
 /// One end of a strip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct End {
+struct PieceEnd {
     /// Vertex with which the strip begins when written from this end.
     apex: u32,
     /// Whether the strip has to begin at an odd position to cost nothing when written from this end.
@@ -53,22 +53,22 @@ struct End {
 
 /// One strip before strips are joined.
 #[derive(Clone, Copy, Debug)]
-struct Piece {
+struct StripPiece {
     /// Triangle at end 0.
     triangle: u32,
-    ends: [End; 2],
+    ends: [PieceEnd; 2],
 }
 
 /// For each end `2 * piece + k`, the end joined to it, or [`NONE`].
 type Joints = Vec<u32>;
 
-impl Piece {
+impl StripPiece {
     fn new(path: &StripPath, triangles: &[[u32; 3]], links: &StripLinks<'_>) -> Self {
         let apex = |side: u32| triangles[side as usize / 3][(side as usize + 2) % 3];
         let ends = match (path.exits.first(), path.exits.last()) {
             (Some(&first), Some(&last)) => [
-                End { apex: apex(first), is_odd: !path.begins_without_parity_fix(links) },
-                End {
+                PieceEnd { apex: apex(first), is_odd: !path.begins_without_parity_fix(links) },
+                PieceEnd {
                     apex: apex(links.twins()[last as usize]),
                     is_odd: !path.ends_without_parity_fix(links),
                 },
@@ -77,7 +77,7 @@ impl Piece {
                 // A single triangle can begin with any corner at an even position; it ends with the
                 // previous corner.
                 let [first, _, last] = triangles[path.first as usize];
-                [End { apex: first, is_odd: false }, End { apex: last, is_odd: true }]
+                [PieceEnd { apex: first, is_odd: false }, PieceEnd { apex: last, is_odd: true }]
             }
         };
         Self { triangle: path.first, ends }
@@ -85,11 +85,11 @@ impl Piece {
 }
 
 /// Joins ends of the same kind at the same vertex in pairs, without closing a loop.
-fn join_pieces(pieces: &[Piece]) -> Joints {
+fn join_pieces(pieces: &[StripPiece]) -> Joints {
     let mut joints = vec![NONE; 2 * pieces.len()];
     // For each free end of a chain, the other end of that chain.
     let mut far_ends: Vec<u32> = (0..2 * pieces.len() as u32).map(|end| end ^ 1).collect();
-    let mut ends: Vec<(End, u32)> = pieces.iter().flat_map(|piece| piece.ends).zip(0..).collect();
+    let mut ends: Vec<(PieceEnd, u32)> = pieces.iter().flat_map(|piece| piece.ends).zip(0..).collect();
     ends.sort_unstable_by_key(|&(end, i)| (end.apex, end.is_odd, i));
     for equal in ends.chunk_by(|(a, _), (b, _)| a == b) {
         for (i, &(_, one)) in equal.iter().enumerate() {
@@ -111,7 +111,7 @@ fn join_pieces(pieces: &[Piece]) -> Joints {
 }
 
 /// Returns the best end to start each chain from, in the order of the chains' first pieces.
-fn chain_starts(pieces: &[Piece], joints: &[u32]) -> Vec<u32> {
+fn chain_starts(pieces: &[StripPiece], joints: &[u32]) -> Vec<u32> {
     let mut is_done = vec![false; pieces.len()];
     let mut starts = Vec::new();
     for piece in 0..pieces.len() as u32 {
@@ -140,14 +140,14 @@ fn last_end(mut entered: u32, joints: &[u32], mut visit: impl FnMut(u32)) -> u32
 }
 
 /// Writes the pieces of a chain into one strip.
-struct Writer<'a, 'g> {
+struct PieceWriter<'a, 'g> {
     triangles: &'a [[u32; 3]],
     links: &'a StripLinks<'g>,
-    pieces: &'a [Piece],
+    pieces: &'a [StripPiece],
     path: StripPath,
 }
 
-impl Writer<'_, '_> {
+impl PieceWriter<'_, '_> {
     /// Appends a piece, starting at one of its ends.
     fn write(&mut self, entered: u32, out: &mut Vec<u32>) {
         let piece = self.pieces[entered as usize / 2];

@@ -38,7 +38,7 @@ const TURNS: [[u8; 4]; 8] = [
 
 /// Links of a triangle: the twins of its three sides, and its solid bits.
 #[derive(Clone, Copy, Debug)]
-struct Node {
+struct TriangleLinks {
     twins: [Side; 3],
     solid: u32,
 }
@@ -51,7 +51,7 @@ pub(super) struct StripState {
     /// Mesh index of each triangle.
     order: Vec<u32>,
     corners: Vec<[u32; 3]>,
-    nodes: Vec<Node>,
+    nodes: Vec<TriangleLinks>,
     /// Number of strip ends at each vertex: those with the right winding at an even position, and the others.
     ends: Vec<[u8; 2]>,
 }
@@ -67,7 +67,7 @@ impl StripState {
             NO_TWIN => NO_TWIN,
             twin => (new_index[twin as usize / 3] << 2) | (twin % 3),
         };
-        let node = |&triangle: &u32| Node {
+        let node = |&triangle: &u32| TriangleLinks {
             twins: [0, 1, 2].map(|k| packed(3 * triangle + k)),
             solid: u32::from(links.solid_bits(triangle)),
         };

@@ -17,9 +17,9 @@ use striata::mesh::{DualGraph, IndexedMesh, NO_TWIN, Random, is_proper};
 use striata::strip::{StripLinks, StripPath, next_side};
 
 use crate::stripifier::DEFAULT_TUNNEL_LENGTH;
-use crate::task::{SpentFn, Task};
+use crate::task::{SpentFn, StripTask};
 use crate::tunnel::{self, ends_of, join_ends};
-use bound::Bounds;
+use bound::StripCountBounds;
 use path_forest::PathForest;
 
 /// Number of steps before another end gets its turn: while many ends are left, and when few are.
@@ -44,14 +44,23 @@ const FINAL_SEARCH_COUNT: u64 = 1024;
 /// If a triangle has a vertex index out of range, or groups do not cover the triangles.
 pub fn strip_count_bound(mesh: &IndexedMesh) -> usize {
     let is_degenerate = |t: u32| !is_proper(&mesh.triangles[t as usize]);
-    Bounds::new(&DualGraph::of_vertices(mesh), is_degenerate).least.iter().map(|&least| least as usize).sum()
+    StripCountBounds::new(&DualGraph::of_vertices(mesh), is_degenerate)
+        .least
+        .iter()
+        .map(|&least| least as usize)
+        .sum()
 }
 
 /// Joins strips until every component has as few as possible, or the budget is spent.
 ///
 /// If boundaries and seams leave ends little room to walk, a final search for tunnels finds what the walks
 /// have missed.
-pub(crate) fn run(task: &Task<'_>, graph: &DualGraph, links: &mut StripLinks<'_>, spent: &mut SpentFn<'_>) {
+pub(crate) fn run(
+    task: &StripTask<'_>,
+    graph: &DualGraph,
+    links: &mut StripLinks<'_>,
+    spent: &mut SpentFn<'_>,
+) {
     if walk_ends(task, graph, links, spent) {
         let mut few = |searches| searches as f64 / FINAL_SEARCH_COUNT as f64;
         tunnel::run(task, links, DEFAULT_TUNNEL_LENGTH, &mut few);
@@ -60,14 +69,14 @@ pub(crate) fn run(task: &Task<'_>, graph: &DualGraph, links: &mut StripLinks<'_>
 
 /// Walks until the budget is spent. Returns whether any component still has more strips than its lower bound.
 fn walk_ends(
-    task: &Task<'_>,
+    task: &StripTask<'_>,
     graph: &DualGraph,
     links: &mut StripLinks<'_>,
     spent: &mut SpentFn<'_>,
 ) -> bool {
     let mut random = Random::new(task.options.seed);
     join_ends(&ends_of(task, links), links, &mut random);
-    let bounds = Bounds::new(graph, |t| !task.is_proper(t));
+    let bounds = StripCountBounds::new(graph, |t| !task.is_proper(t));
     let ends = ends_of(task, links);
     let mut walk = RandomWalk::new(links, &ends, bounds, random);
     let mut step_count = 0;
@@ -96,7 +105,7 @@ struct RandomWalk<'a, 'g> {
     ends: Vec<u32>,
     /// Index of each triangle in `ends`, or [`NO_TWIN`].
     index_in_ends: Vec<u32>,
-    bounds: Bounds,
+    bounds: StripCountBounds,
     /// Number of strips of each component.
     strip_counts: Vec<u32>,
     /// Triangle that released the moving end; the walk does not go back there if it has another choice.
@@ -105,7 +114,7 @@ struct RandomWalk<'a, 'g> {
 }
 
 impl<'a, 'g> RandomWalk<'a, 'g> {
-    fn new(links: &'a mut StripLinks<'g>, ends: &[u32], bounds: Bounds, random: Random) -> Self {
+    fn new(links: &'a mut StripLinks<'g>, ends: &[u32], bounds: StripCountBounds, random: Random) -> Self {
         let count = links.triangle_count();
         let mut forest = PathForest::new(count);
         let mut strip_counts = vec![0; bounds.least.len()];

@@ -11,14 +11,14 @@ const NONE: u32 = u32::MAX;
 /// Strips of triangles, as a forest of splay trees.
 #[derive(Debug)]
 pub(super) struct PathForest {
-    nodes: Vec<Node>,
+    nodes: Vec<SplayNode>,
     /// Nodes from the one to be splayed up to its root.
     above: Vec<u32>,
 }
 
 /// Node of a splay tree: one triangle of a strip.
 #[derive(Clone, Copy, Debug)]
-struct Node {
+struct SplayNode {
     parent: u32,
     children: [u32; 2],
     is_reversed: bool,
@@ -27,7 +27,7 @@ struct Node {
 impl PathForest {
     /// Creates a forest of `count` triangles, each a strip by itself.
     pub(super) fn new(count: usize) -> Self {
-        let alone = Node { parent: NONE, children: [NONE; 2], is_reversed: false };
+        let alone = SplayNode { parent: NONE, children: [NONE; 2], is_reversed: false };
         Self { nodes: vec![alone; count], above: Vec::new() }
     }
 
@@ -116,7 +116,7 @@ impl PathForest {
 
     /// Applies a pending reversal to a node and passes it on to the children.
     fn push_down(&mut self, node: u32) {
-        let Node { children, is_reversed, .. } = self.nodes[node as usize];
+        let SplayNode { children, is_reversed, .. } = self.nodes[node as usize];
         if is_reversed {
             self.nodes[node as usize].children = [children[1], children[0]];
             self.nodes[node as usize].is_reversed = false;

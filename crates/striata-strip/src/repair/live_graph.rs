@@ -23,14 +23,14 @@
 use striata::mesh::{DualGraph, IndexedMesh, NO_TWIN};
 use striata::strip::{next_side, prev_side};
 
-use super::stars::Stars;
+use super::stars::CornerStars;
 
 /// Linked triangles of the current level.
 #[derive(Clone, Debug)]
 pub(super) struct LiveGraph {
     corners: Vec<[u32; 3]>,
     twins: Vec<u32>,
-    stars: Stars,
+    stars: CornerStars,
     /// Dead triangles, the latest last.
     dead: Vec<u32>,
     /// One past the last triangle of each group.
@@ -55,7 +55,7 @@ impl LiveGraph {
         Self {
             corners: mesh.triangles.clone(),
             twins: DualGraph::of_vertices(mesh).twins().to_vec(),
-            stars: Stars::new(&mesh.triangles, mesh.vertex_count()),
+            stars: CornerStars::new(&mesh.triangles, mesh.vertex_count()),
             dead: Vec::new(),
             group_ends: mesh.groups_or_whole().iter().map(|group| group.first + group.count).collect(),
             loose: Vec::new(),

@@ -15,7 +15,7 @@ use striata::mesh::NO_TWIN;
 use striata::strip::{RESTART, StripLinks, StripPath};
 
 use super::live_strips::LiveStrips;
-use super::slots::{Region, Slot};
+use super::slots::{SlotRegion, StripSlot};
 
 /// Changed ranges with fewer than this many unchanged indices between them are merged.
 const JOIN_GAP: u32 = 32;
@@ -46,19 +46,19 @@ const MANY_RANGES: usize = 1 << 16;
 #[derive(Clone, Debug)]
 pub struct LiveStripBuffer {
     indices: Vec<u32>,
-    regions: Vec<Region>,
+    regions: Vec<SlotRegion>,
     /// Strips by id; the slots of unused ids have no capacity.
     strips: Vec<Strip>,
     unused_ids: Vec<u32>,
     /// Id of the strip of each triangle of the full mesh, or [`NO_TWIN`].
     strip_of: Vec<u32>,
     changed: Vec<Range<u32>>,
-    scratch: Scratch,
+    scratch: BufferScratch,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
 struct Strip {
-    slot: Slot,
+    slot: StripSlot,
     group: u32,
     /// Whether a triangle or link of the strip has changed since it was written.
     is_stale: bool,
@@ -66,7 +66,7 @@ struct Strip {
 
 /// Lists that are reused between calls.
 #[derive(Clone, Debug, Default)]
-struct Scratch {
+struct BufferScratch {
     triangles: Vec<u32>,
     stale: Vec<u32>,
     path: StripPath,
@@ -84,12 +84,12 @@ impl LiveStripBuffer {
         live.changes.watch(count);
         let mut buffer = Self {
             indices: Vec::new(),
-            regions: vec![Region::default(); live.graph.group_ends().len()],
+            regions: vec![SlotRegion::default(); live.graph.group_ends().len()],
             strips: Vec::new(),
             unused_ids: Vec::new(),
             strip_of: vec![NO_TWIN; count],
             changed: Vec::new(),
-            scratch: Scratch::default(),
+            scratch: BufferScratch::default(),
         };
         let links = StripLinks::from_bits(live.graph.twins(), std::mem::take(&mut live.solid));
         buffer.lay_out(live, &links);
@@ -194,10 +194,10 @@ impl LiveStripBuffer {
         path.follow(links, end);
         let group = live.graph.group_of(triangle);
         let home = self.home_of(&path, links);
-        self.write_path(&mut path, (live, links), home);
+        self.write_path(&mut path, live, links, home);
         let length = self.scratch.written.len() as u32;
         let slot = match home {
-            Some(slot) if slot.capacity >= Slot::needed(length) => Some(Slot { length, ..slot }),
+            Some(slot) if slot.capacity >= StripSlot::needed(length) => Some(StripSlot { length, ..slot }),
             Some(slot) => {
                 self.give_back(slot, group);
                 self.regions[group as usize].take(length)
@@ -214,7 +214,7 @@ impl LiveStripBuffer {
     }
 
     /// Takes the range of one of the stale strips that a strip replaces: the longest.
-    fn home_of(&mut self, path: &StripPath, links: &StripLinks<'_>) -> Option<Slot> {
+    fn home_of(&mut self, path: &StripPath, links: &StripLinks<'_>) -> Option<StripSlot> {
         let ids = path.triangles(links).map(|triangle| self.strip_of[triangle as usize]);
         let with_room = ids.filter(|&id| id != NO_TWIN && self.strips[id as usize].slot.capacity > 0);
         let longest = with_room.max_by_key(|&id| self.strips[id as usize].slot.capacity)?;
@@ -224,12 +224,12 @@ impl LiveStripBuffer {
             "a strip has changed, but none of its triangles"
         );
         // Long enough for most strips: two indices and swaps.
-        if home.capacity < Slot::needed(path.exits.len() as u32 + 3) {
+        if home.capacity < StripSlot::needed(path.exits.len() as u32 + 3) {
             return None;
         }
         let strip = &mut self.strips[longest as usize];
-        self.regions[strip.group as usize].live -= Slot::needed(home.length);
-        strip.slot = Slot::default();
+        self.regions[strip.group as usize].live -= StripSlot::needed(home.length);
+        strip.slot = StripSlot::default();
         Some(home)
     }
 
@@ -238,11 +238,12 @@ impl LiveStripBuffer {
     fn write_path(
         &mut self,
         path: &mut StripPath,
-        (live, links): (&LiveStrips<'_>, &StripLinks<'_>),
-        home: Option<Slot>,
+        live: &LiveStrips<'_>,
+        links: &StripLinks<'_>,
+        home: Option<StripSlot>,
     ) {
         let corners = live.graph.all_corners();
-        let Scratch { written, reversed, .. } = &mut self.scratch;
+        let BufferScratch { written, reversed, .. } = &mut self.scratch;
         let [begins, ends] = [path.begins_without_parity_fix(links), path.ends_without_parity_fix(links)];
         if !begins && ends {
             path.reverse(links);
@@ -264,7 +265,7 @@ impl LiveStripBuffer {
 
     /// Writes `scratch.written` to a slot, and restarts after it; returns the slot without the rest that the
     /// strip does not need.
-    fn write_to(&mut self, slot: Slot, group: u32) -> Slot {
+    fn write_to(&mut self, slot: StripSlot, group: u32) -> StripSlot {
         let written = &self.scratch.written;
         let all = &mut self.indices[slot.first as usize..(slot.first + slot.capacity) as usize];
         let (strip, rest) = all.split_at_mut(written.len());
@@ -278,7 +279,7 @@ impl LiveStripBuffer {
             self.changed.push(slot.first + first as u32..slot.first + last as u32 + 1);
         }
         let region = &mut self.regions[group as usize];
-        region.live += Slot::needed(slot.length);
+        region.live += StripSlot::needed(slot.length);
         region.without_rest(slot)
     }
 
@@ -301,7 +302,7 @@ impl LiveStripBuffer {
         for id in stale.drain(..) {
             let Strip { slot, group, .. } = std::mem::take(&mut self.strips[id as usize]);
             if slot.capacity > 0 {
-                self.regions[group as usize].live -= Slot::needed(slot.length);
+                self.regions[group as usize].live -= StripSlot::needed(slot.length);
                 self.give_back(slot, group);
             }
             self.unused_ids.push(id);
@@ -310,7 +311,7 @@ impl LiveStripBuffer {
     }
 
     /// Fills a range with restarts and makes it free.
-    fn give_back(&mut self, slot: Slot, group: u32) {
+    fn give_back(&mut self, slot: StripSlot, group: u32) {
         self.indices[slot.strip()].fill(RESTART);
         self.changed.push(slot.first..slot.first + slot.length);
         self.regions[group as usize].give_back(slot.first, slot.capacity);
@@ -334,7 +335,7 @@ impl LiveStripBuffer {
             let first = region.first + region.used;
             self.indices.copy_within(slot.strip(), first as usize);
             self.indices[(first + slot.length) as usize] = RESTART;
-            *slot = Slot { first, capacity: Slot::needed(slot.length), length: slot.length };
+            *slot = StripSlot { first, capacity: StripSlot::needed(slot.length), length: slot.length };
             region.used += slot.capacity;
         }
         region.live = live;
@@ -356,17 +357,17 @@ impl LiveStripBuffer {
             let mut path = std::mem::take(&mut self.scratch.path);
             let end = links.first_solid(triangle).map_or(triangle, |side| links.end_beyond(side));
             path.follow(links, end);
-            self.write_path(&mut path, (live, links), None);
+            self.write_path(&mut path, live, links, None);
             let group = live.graph.group_of(triangle);
             let triangles: Vec<u32> = path.triangles(links).collect();
             triangles.iter().for_each(|&t| is_done[t as usize] = true);
-            lengths[group as usize] += Slot::needed(self.scratch.written.len() as u32);
+            lengths[group as usize] += StripSlot::needed(self.scratch.written.len() as u32);
             paths.push((group, self.scratch.written.clone(), triangles));
             self.scratch.path = path;
         }
         let mut first = 0;
         for (region, length) in self.regions.iter_mut().zip(lengths) {
-            *region = Region::new(first, length + length / 2 + 64);
+            *region = SlotRegion::new(first, length + length / 2 + 64);
             first += region.capacity;
         }
         self.indices = vec![RESTART; first as usize];

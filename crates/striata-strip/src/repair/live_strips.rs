@@ -9,7 +9,7 @@ use super::changed_triangles::ChangedTriangles;
 use super::error::LiveStripsError;
 use super::live_graph::LiveGraph;
 use super::options::{RepairGoal, RepairOptions, RepairReport};
-use super::scratch::Scratch;
+use super::scratch::RepairScratch;
 use super::tunnel_search::TunnelSearch;
 
 /// Strips of one level of a mesh, which can follow it to any other level.
@@ -46,7 +46,7 @@ pub struct LiveStrips<'a> {
     /// Number of rings around a step from which repair searches.
     pub(super) reach: u32,
     pub(super) search: TunnelSearch,
-    pub(super) scratch: Scratch,
+    pub(super) scratch: RepairScratch,
     /// Triangles whose strips have changed since a buffer last asked.
     pub(super) changes: ChangedTriangles,
 }
@@ -86,7 +86,7 @@ impl<'a> LiveStrips<'a> {
             goal: options.goal,
             reach: options.reach,
             search: TunnelSearch::new(options),
-            scratch: Scratch::default(),
+            scratch: RepairScratch::default(),
             changes: ChangedTriangles::default(),
         };
         let mut dying = Vec::new();

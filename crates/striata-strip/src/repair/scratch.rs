@@ -2,7 +2,7 @@
 
 /// Lists that are reused between steps, so that no step allocates.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Scratch {
+pub(super) struct RepairScratch {
     /// Triangles that a collapse removes or a split restores.
     pub changed: Vec<u32>,
     /// Sides whose links a split breaks.

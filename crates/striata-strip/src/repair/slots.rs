@@ -10,14 +10,14 @@ const LEAST_FREE: u32 = 8;
 
 /// Consecutive indices of the buffer, for one strip and the restart after it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Slot {
+pub(super) struct StripSlot {
     pub first: u32,
     pub capacity: u32,
     /// Length of the strip, without its restart.
     pub length: u32,
 }
 
-impl Slot {
+impl StripSlot {
     /// Number of indices that a strip needs, with its restart.
     pub(super) fn needed(length: u32) -> u32 {
         length + 1
@@ -31,7 +31,7 @@ impl Slot {
 
 /// Part of the buffer for the strips of one group.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Region {
+pub(super) struct SlotRegion {
     pub first: u32,
     pub capacity: u32,
     /// Number of indices from `first` that are drawn.
@@ -42,7 +42,7 @@ pub(super) struct Region {
     free: BTreeSet<(u32, u32)>,
 }
 
-impl Region {
+impl SlotRegion {
     /// Creates an empty region.
     pub(super) fn new(first: u32, capacity: u32) -> Self {
         Self { first, capacity, ..Self::default() }
@@ -50,30 +50,30 @@ impl Region {
 
     /// Takes room for a strip of this length: the smallest free range that suffices, otherwise room after the
     /// used part. [`None`] if the region is full.
-    pub(super) fn take(&mut self, length: u32) -> Option<Slot> {
-        let needed = Slot::needed(length);
+    pub(super) fn take(&mut self, length: u32) -> Option<StripSlot> {
+        let needed = StripSlot::needed(length);
         if let Some(&(capacity, first)) = self.free.range((needed, 0)..).next() {
             self.free.remove(&(capacity, first));
-            return Some(self.without_rest(Slot { first, capacity, length }));
+            return Some(self.without_rest(StripSlot { first, capacity, length }));
         }
         if needed > self.capacity - self.used {
             return None;
         }
         let first = self.first + self.used;
         self.used += needed;
-        Some(Slot { first, capacity: needed, length })
+        Some(StripSlot { first, capacity: needed, length })
     }
 
     /// Gives back what a strip does not need of its range, if that is worth it.
-    pub(super) fn without_rest(&mut self, slot: Slot) -> Slot {
-        let needed = Slot::needed(slot.length);
+    pub(super) fn without_rest(&mut self, slot: StripSlot) -> StripSlot {
+        let needed = StripSlot::needed(slot.length);
         // Some room to grow, for strips change often.
         let kept = needed + needed / 4;
         if slot.capacity < kept + LEAST_FREE {
             return slot;
         }
         self.give_back(slot.first + kept, slot.capacity - kept);
-        Slot { capacity: kept, ..slot }
+        StripSlot { capacity: kept, ..slot }
     }
 
     /// Makes a range free; it must contain restart indices only.
@@ -103,7 +103,7 @@ mod tests {
 
     #[test]
     fn the_smallest_free_range_is_used_first() {
-        let mut region = Region::new(100, 60);
+        let mut region = SlotRegion::new(100, 60);
         let [a, b, c] = [20, 9, 12].map(|length| region.take(length).unwrap());
         assert_eq!((a.first, b.first, c.first, region.used), (100, 121, 131, 44));
         region.give_back(a.first, a.capacity);

@@ -16,7 +16,7 @@ use striata::mesh::is_proper;
 
 /// Rings of corners; a corner is `3 * triangle + k`.
 #[derive(Clone, Debug)]
-pub(super) struct Stars {
+pub(super) struct CornerStars {
     /// Next and previous node of each node; the nodes of vertices follow those of corners.
     around: Vec<[u32; 2]>,
     corner_count: u32,
@@ -25,7 +25,7 @@ pub(super) struct Stars {
 const NEXT: usize = 0;
 const PREV: usize = 1;
 
-impl Stars {
+impl CornerStars {
     /// Puts every corner of these triangles into the ring of its vertex; corners of degenerate triangles
     /// are in none.
     pub(super) fn new(triangles: &[[u32; 3]], vertex_count: usize) -> Self {
@@ -121,13 +121,13 @@ impl Stars {
 mod tests {
     use super::*;
 
-    fn all(stars: &Stars, vertex_count: u32) -> Vec<Vec<u32>> {
+    fn all(stars: &CornerStars, vertex_count: u32) -> Vec<Vec<u32>> {
         (0..vertex_count).map(|v| stars.corners(v).collect()).collect()
     }
 
     #[test]
     fn a_walk_back_restores_every_ring() {
-        let mut stars = Stars::new(&[[0, 1, 2], [0, 2, 3], [3, 3, 1], [3, 2, 4]], 6);
+        let mut stars = CornerStars::new(&[[0, 1, 2], [0, 2, 3], [3, 3, 1], [3, 2, 4]], 6);
         let before = all(&stars, 6);
         assert_eq!(before[0], vec![0, 3]);
         assert_eq!(before[3], vec![5, 9]);

@@ -5,7 +5,7 @@ use striata::strip::StripLinks;
 
 use super::live_strips::LiveStrips;
 use super::options::{RepairGoal, RepairReport};
-use super::scratch::Scratch;
+use super::scratch::RepairScratch;
 use super::tunnel_search::{TunnelChange, TunnelSearch, swap_at};
 
 impl LiveStrips<'_> {
@@ -33,7 +33,7 @@ impl LiveStrips<'_> {
     fn collapse(&mut self, vertex: u32, report: &mut RepairReport) {
         let target = self.sequence.target(vertex);
         let Self { graph, scratch, .. } = self;
-        let Scratch { changed: dying, bridges, touched, .. } = scratch;
+        let RepairScratch { changed: dying, bridges, touched, .. } = scratch;
         graph.dying_into(vertex, target, dying);
         bridges.clear();
         touched.extend(graph.corners_at(vertex).map(|corner| corner / 3));
@@ -72,7 +72,7 @@ impl LiveStrips<'_> {
     fn vertex_split(&mut self, vertex: u32, report: &mut RepairReport) {
         let target = self.sequence.target(vertex);
         let Self { graph, scratch, .. } = self;
-        let Scratch { changed: restored, detached, bridges, .. } = scratch;
+        let RepairScratch { changed: restored, detached, bridges, .. } = scratch;
         graph.detach_into(vertex, target, detached);
         bridges.clear();
         let mut links = StripLinks::from_bits(graph.twins(), std::mem::take(&mut self.solid));
@@ -91,7 +91,7 @@ impl LiveStrips<'_> {
         self.count_links(0, cut_count, report);
 
         let Self { graph, scratch, .. } = self;
-        let Scratch { changed: restored, bridges, touched, .. } = scratch;
+        let RepairScratch { changed: restored, bridges, touched, .. } = scratch;
         touched.extend(graph.corners_at(vertex).map(|corner| corner / 3));
         let mut links = StripLinks::from_bits(graph.twins(), std::mem::take(&mut self.solid));
         for &triangle in restored.iter() {

@@ -27,14 +27,14 @@ use super::options::{RepairGoal, RepairOptions};
 /// For fewest indices, a strip weighs three swaps (two indices and its restart) and a quarter more, because
 /// about every fourth strip needs a parity fix whichever end it begins with.
 #[derive(Clone, Copy, Debug)]
-struct Weights {
+struct IndexWeights {
     strip: i32,
     swap: i32,
 }
 
 /// Chain of moves, stored as its last move and a reference to the chain before it.
 #[derive(Clone, Copy, Debug)]
-struct Chain {
+struct MoveChain {
     parent: u32,
     /// Side of the link that the last move joined, or [`NO_TWIN`].
     joined: u32,
@@ -51,7 +51,7 @@ struct Chain {
 
 /// Possible next move of a chain.
 #[derive(Clone, Copy, Debug)]
-struct Move {
+struct ChainMove {
     joined: u32,
     /// Triangle beyond the link that is joined.
     taken: u32,
@@ -76,25 +76,25 @@ pub(super) struct TunnelChange {
 /// Reusable state of searches.
 #[derive(Clone, Debug)]
 pub(super) struct TunnelSearch {
-    weights: Weights,
+    weights: IndexWeights,
     move_limit: u32,
     chain_limit: usize,
     walk_limit: u32,
-    chains: Vec<Chain>,
+    chains: Vec<MoveChain>,
     /// Index of the cheapest chain; 0 (the start) until another is at least as cheap as the original strips.
     best: u32,
     /// Chains whose moves are currently applied to the links, in order.
     applied: Vec<u32>,
     path: Vec<u32>,
     /// Possible moves of the current chain.
-    moves: Vec<Move>,
+    moves: Vec<ChainMove>,
 }
 
 impl TunnelSearch {
     pub(super) fn new(options: &RepairOptions) -> Self {
         let weights = match options.goal {
-            RepairGoal::FewestStrips => Weights { strip: 1_000, swap: 1 },
-            RepairGoal::FewestIndices => Weights { strip: 13, swap: 4 },
+            RepairGoal::FewestStrips => IndexWeights { strip: 1_000, swap: 1 },
+            RepairGoal::FewestIndices => IndexWeights { strip: 13, swap: 4 },
         };
         Self {
             weights,
@@ -130,7 +130,7 @@ impl TunnelSearch {
         self.applied.clear();
         self.best = 0;
         let is_open = self.move_limit > 0;
-        self.chains.push(Chain { parent: 0, joined: NO_TWIN, cut, end, cost, move_count: 0, is_open });
+        self.chains.push(MoveChain { parent: 0, joined: NO_TWIN, cut, end, cost, move_count: 0, is_open });
         while self.chains[self.best as usize].cost > -self.weights.strip {
             let Some(next) = self.cheapest_open() else { break };
             self.chains[next as usize].is_open = false;
@@ -166,7 +166,7 @@ impl TunnelSearch {
     /// Iterates over the links that the last search changed, each as one of its sides.
     pub(super) fn touched_sides(&self) -> impl Iterator<Item = u32> {
         self.applied.iter().flat_map(|&chain| {
-            let Chain { joined, cut, .. } = self.chains[chain as usize];
+            let MoveChain { joined, cut, .. } = self.chains[chain as usize];
             [joined, cut].into_iter().filter(|&side| side != NO_TWIN)
         })
     }
@@ -186,7 +186,7 @@ impl TunnelSearch {
         let kept = self.path.iter().zip(&self.applied).take_while(|(a, b)| a == b).count();
         self.undo_to(links, kept);
         for &at in &self.path[kept..] {
-            let Chain { joined, cut, .. } = self.chains[at as usize];
+            let MoveChain { joined, cut, .. } = self.chains[at as usize];
             if cut != NO_TWIN {
                 links.cut(cut);
             }
@@ -200,7 +200,7 @@ impl TunnelSearch {
     /// Undoes the last applied moves until `kept` are left.
     fn undo_to(&mut self, links: &mut StripLinks<'_>, kept: usize) {
         for at in self.applied.drain(kept..).rev() {
-            let Chain { joined, cut, .. } = self.chains[at as usize];
+            let MoveChain { joined, cut, .. } = self.chains[at as usize];
             if joined != NO_TWIN {
                 links.cut(joined);
             }
@@ -216,10 +216,10 @@ impl TunnelSearch {
         if self.moves.is_empty() {
             return;
         }
-        let Chain { end, move_count, .. } = self.chains[parent as usize];
+        let MoveChain { end, move_count, .. } = self.chains[parent as usize];
         let is_whole = self.walk_from(links, end);
         for i in 0..self.moves.len() {
-            let Move { joined, cut, end, cost, entered_by, .. } = self.moves[i];
+            let ChainMove { joined, cut, end, cost, entered_by, .. } = self.moves[i];
             let has_two_links = links.solid_degree(links.twins()[joined as usize] / 3) == 2;
             let is_proper = match entered_by {
                 Some(entered_by) => entered_by == cut,
@@ -230,7 +230,7 @@ impl TunnelSearch {
                     self.best = self.chains.len() as u32;
                 }
                 let is_open = end != NO_TWIN;
-                self.chains.push(Chain {
+                self.chains.push(MoveChain {
                     parent,
                     joined,
                     cut,
@@ -246,7 +246,7 @@ impl TunnelSearch {
     /// Lists the moves from the end of a chain that are worth checking with a walk.
     fn list_moves(&mut self, links: &mut StripLinks<'_>, parent: u32) {
         self.moves.clear();
-        let Chain { end, cut: came_from, cost, move_count, .. } = self.chains[parent as usize];
+        let MoveChain { end, cut: came_from, cost, move_count, .. } = self.chains[parent as usize];
         let best_cost = self.chains[self.best as usize].cost;
         let goes_on = move_count + 1 < self.move_limit;
         for joined in 3 * end..3 * end + 3 {
@@ -258,7 +258,7 @@ impl TunnelSearch {
             if links.solid_degree(taken) < 2 {
                 let cost = cost + self.cost_of_join(links, joined);
                 if cost < best_cost {
-                    self.moves.push(Move {
+                    self.moves.push(ChainMove {
                         joined,
                         taken,
                         cut: NO_TWIN,
@@ -272,9 +272,9 @@ impl TunnelSearch {
             for cut in (3 * taken..3 * taken + 3).filter(|side| goes_on && solid & 1 << (side % 3) != 0) {
                 let end = links.twins()[cut as usize] / 3;
                 let cost = cost + self.cost_of_move(links, joined, cut);
-                let is_dominated = |other: &Chain| other.end == end && other.cost <= cost;
+                let is_dominated = |other: &MoveChain| other.end == end && other.cost <= cost;
                 if cost < self.weights.strip && !self.chains.iter().any(is_dominated) {
-                    self.moves.push(Move { joined, taken, cut, end, cost, entered_by: None });
+                    self.moves.push(ChainMove { joined, taken, cut, end, cost, entered_by: None });
                 }
             }
         }

@@ -18,7 +18,7 @@ use striata::strip::{FreeTriangles, Seeds, StripLinks, next_side, prev_side};
 use striata::{Cancelled, Progress, ProgressFn};
 
 use crate::stripifier::StripeSwaps;
-use crate::task::Task;
+use crate::task::StripTask;
 
 /// Number of strips between two calls of the progress callback.
 const STRIPS_PER_REPORT: u64 = 1 << 10;
@@ -27,9 +27,10 @@ const STRIPS_PER_REPORT: u64 = 1 << 10;
 ///
 /// With `has_patches`, patches of quadrilaterals are covered first.
 pub(crate) fn run(
-    task: &Task<'_>,
+    task: &StripTask<'_>,
     links: &mut StripLinks<'_>,
-    (has_patches, swaps): (bool, StripeSwaps),
+    has_patches: bool,
+    swaps: StripeSwaps,
     progress: &mut ProgressFn<'_>,
 ) -> Result<(), Cancelled> {
     if has_patches {
@@ -68,28 +69,35 @@ fn grow(
     strip.push(seed);
     let any = [3 * seed, 3 * seed + 1, 3 * seed + 2];
     let Some(exit) = most_isolated(free, any, StripeSwaps::Free) else { return };
-    let first_turns_next = walk((exit, None), swaps, free, strip, links);
+    let first_turns_next = walk(WalkStart { exit, turns_next: None }, swaps, free, strip, links);
     // The seed has to turn the other way than the triangle after it; seen from behind, that is the same way.
     let (straight, turned) = match first_turns_next {
         Some(false) => (prev_side(exit), next_side(exit)),
         _ => (next_side(exit), prev_side(exit)),
     };
     if let Some(back) = most_isolated(free, [straight, turned], swaps) {
-        walk((back, Some(back == prev_side(exit))), swaps, free, strip, links);
+        let start = WalkStart { exit: back, turns_next: Some(back == prev_side(exit)) };
+        walk(start, swaps, free, strip, links);
     }
 }
 
-/// Joins triangles from `exit` on until none is free. Returns whether the first of them turned to its next
+/// Where a walk begins.
+struct WalkStart {
+    exit: u32,
+    /// Which turn of the first triangle needs no swap; [`None`] if both do not.
+    turns_next: Option<bool>,
+}
+
+/// Joins triangles from an exit on until none is free. Returns whether the first of them turned to its next
 /// side; [`None`] if it did not turn.
-///
-/// `turns_next` says which turn of the first triangle needs no swap; [`None`] if both do not.
 fn walk(
-    (mut exit, mut turns_next): (u32, Option<bool>),
+    start: WalkStart,
     swaps: StripeSwaps,
     free: &mut FreeTriangles<'_>,
     strip: &mut Vec<u32>,
     links: &mut StripLinks<'_>,
 ) -> Option<bool> {
+    let WalkStart { mut exit, mut turns_next } = start;
     let mut first_turns_next = None;
     while let Some(enter) = free.free_entry_across(exit) {
         links.join(exit);

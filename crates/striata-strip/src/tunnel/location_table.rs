@@ -2,7 +2,7 @@
 
 use striata::strip::StripLinks;
 
-use super::trace::{Step, StripLocations};
+use super::trace::{StripLocations, TunnelStep};
 
 /// Strip of every triangle, and its index within that strip.
 #[derive(Debug)]
@@ -38,7 +38,7 @@ impl LocationTable {
     }
 
     /// Renumbers the strips that a tunnel has changed, after it was applied.
-    pub(crate) fn renumber(&mut self, steps: &[Step], last: Option<u32>, links: &StripLinks<'_>) {
+    pub(crate) fn renumber(&mut self, steps: &[TunnelStep], last: Option<u32>, links: &StripLinks<'_>) {
         let first_new = self.next_strip;
         let last = last.map(|side| side / 3);
         let changed = steps.iter().flat_map(|step| [step.taken, step.end]).chain(last);

@@ -28,10 +28,10 @@ pub(crate) use growth::join_ends;
 use striata::mesh::Random;
 use striata::strip::StripLinks;
 
-use crate::task::{SpentFn, Task};
+use crate::task::{SpentFn, StripTask};
 use location_table::LocationTable;
-use search::Search;
-use trace::Step;
+use search::TunnelPathSearch;
+use trace::TunnelStep;
 
 /// How often an end without a tunnel is moved before the next end gets its turn, in the first pass.
 ///
@@ -43,12 +43,17 @@ const MOVE_COUNT: u32 = 4;
 const SEARCHES_PER_CHECK: u64 = 256;
 
 /// Applies tunnels until no end has one of at most `max_length` links, or the budget is spent.
-pub(crate) fn run(task: &Task<'_>, links: &mut StripLinks<'_>, max_length: u32, spent: &mut SpentFn<'_>) {
+pub(crate) fn run(
+    task: &StripTask<'_>,
+    links: &mut StripLinks<'_>,
+    max_length: u32,
+    spent: &mut SpentFn<'_>,
+) {
     let mut random = Random::new(task.options.seed);
     join_ends(&ends_of(task, links), links, &mut random);
     let mut ends = shuffled_ends(task, links, &mut random);
     let locations = LocationTable::new(links);
-    let search = Search::new(links.triangle_count(), max_length);
+    let search = TunnelPathSearch::new(links.triangle_count(), max_length);
     let mut joiner = TunnelJoiner { links, locations, search, random, search_count: 0 };
     let mut moves = MOVE_COUNT;
     while let Some(1..) = joiner.dig_from(&ends, moves, spent) {
@@ -58,13 +63,13 @@ pub(crate) fn run(task: &Task<'_>, links: &mut StripLinks<'_>, max_length: u32, 
 }
 
 /// Returns the triangles at which strips end.
-pub(crate) fn ends_of(task: &Task<'_>, links: &StripLinks<'_>) -> Vec<u32> {
+pub(crate) fn ends_of(task: &StripTask<'_>, links: &StripLinks<'_>) -> Vec<u32> {
     let is_end = |&t: &u32| links.solid_degree(t) < 2 && task.is_proper(t);
     (0..links.triangle_count() as u32).filter(is_end).collect()
 }
 
 /// Returns the triangles at which strips end, in random order.
-pub(crate) fn shuffled_ends(task: &Task<'_>, links: &StripLinks<'_>, random: &mut Random) -> Vec<u32> {
+pub(crate) fn shuffled_ends(task: &StripTask<'_>, links: &StripLinks<'_>, random: &mut Random) -> Vec<u32> {
     let mut ends = ends_of(task, links);
     for i in (1..ends.len()).rev() {
         ends.swap(i, random.below(i as u32 + 1) as usize);
@@ -76,7 +81,7 @@ pub(crate) fn shuffled_ends(task: &Task<'_>, links: &StripLinks<'_>, random: &mu
 struct TunnelJoiner<'a, 'g> {
     links: &'a mut StripLinks<'g>,
     locations: LocationTable,
-    search: Search,
+    search: TunnelPathSearch,
     random: Random,
     search_count: u64,
 }
@@ -123,7 +128,7 @@ impl TunnelJoiner<'_, '_> {
 /// Swaps dashed and solid links along a tunnel.
 ///
 /// Without a last link, this moves an end instead of joining two strips.
-fn swap_links(steps: &[Step], last: Option<u32>, links: &mut StripLinks<'_>) {
+fn swap_links(steps: &[TunnelStep], last: Option<u32>, links: &mut StripLinks<'_>) {
     for step in steps {
         links.cut(step.cut);
     }

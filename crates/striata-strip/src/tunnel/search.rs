@@ -9,7 +9,7 @@
 use striata::mesh::{NO_TWIN, Random};
 use striata::strip::{StripLinks, next_side, prev_side};
 
-use super::trace::{Relation, Step, StripLocations, Trace};
+use super::trace::{Relation, StripLocations, StripTrace, TunnelStep};
 
 /// Number of moving ends after which a search visits no triangle twice.
 ///
@@ -20,27 +20,27 @@ const REVISIT_NODE_LIMIT: usize = 1000;
 
 /// Reusable state of searches.
 #[derive(Debug)]
-pub(crate) struct Search {
+pub(crate) struct TunnelPathSearch {
     /// Number of steps that a tunnel may have before its last link.
     max_steps: usize,
     /// Index of the search that last visited each triangle.
     visits: Vec<u32>,
     search: u32,
-    nodes: Vec<Node>,
-    steps: Vec<Step>,
-    trace: Trace,
+    nodes: Vec<ReachedEnd>,
+    steps: Vec<TunnelStep>,
+    trace: StripTrace,
 }
 
 /// Moving end that the search has reached.
 #[derive(Clone, Copy, Debug)]
-struct Node {
-    step: Step,
+struct ReachedEnd {
+    step: TunnelStep,
     /// Node before this one; the root is its own parent.
     parent: u32,
     depth: u32,
 }
 
-impl Search {
+impl TunnelPathSearch {
     /// Creates a search for tunnels of at most `max_length` links in a mesh of `triangle_count` triangles.
     pub(crate) fn new(triangle_count: usize, max_length: u32) -> Self {
         Self {
@@ -49,17 +49,17 @@ impl Search {
             search: 0,
             nodes: Vec::new(),
             steps: Vec::new(),
-            trace: Trace::default(),
+            trace: StripTrace::default(),
         }
     }
 
     /// Returns the steps of the last tunnel found, in order.
-    pub(crate) fn steps(&self) -> &[Step] {
+    pub(crate) fn steps(&self) -> &[TunnelStep] {
         &self.steps
     }
 
     /// Finds the shortest tunnel from the end of a strip. Returns its last dashed link, which follows
-    /// [`Search::steps`].
+    /// [`TunnelPathSearch::steps`].
     ///
     /// The links stay as they are; `random` decides between tunnels of equal length.
     pub(crate) fn find(
@@ -73,8 +73,8 @@ impl Search {
         self.search += 1;
         self.nodes.clear();
         self.visits[start as usize] = self.search;
-        let step = Step { crossed: NO_TWIN, taken: start, cut: NO_TWIN, end: start };
-        self.nodes.push(Node { step, parent: 0, depth: 0 });
+        let step = TunnelStep { crossed: NO_TWIN, taken: start, cut: NO_TWIN, end: start };
+        self.nodes.push(ReachedEnd { step, parent: 0, depth: 0 });
         let mut head = 0;
         while let Some(&node) = self.nodes.get(head) {
             self.collect_steps(head);
@@ -92,7 +92,7 @@ impl Search {
         None
     }
 
-    /// After a search without success, sets [`Search::steps`] to the path to one of the deepest moving ends
+    /// After a search without success, sets [`TunnelPathSearch::steps`] to the path to one of the deepest moving ends
     /// that it reached, chosen at random. Returns that end, or [`None`] if the start cannot move.
     ///
     /// Near ends search what the failed search has searched already: on the dragon, ends chosen from all
@@ -152,8 +152,8 @@ impl Search {
             if is_right && !self.is_visited(end) {
                 self.visits[end as usize] = self.search;
                 is_taken = true;
-                let step = Step { crossed, taken, cut, end };
-                self.nodes.push(Node { step, parent: from as u32, depth });
+                let step = TunnelStep { crossed, taken, cut, end };
+                self.nodes.push(ReachedEnd { step, parent: from as u32, depth });
             }
         }
         if is_taken {

@@ -29,7 +29,7 @@ pub(crate) trait StripLocations {
 
 /// Two links of a tunnel: the moving end takes a triangle, which releases a neighbor, the next moving end.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Step {
+pub(crate) struct TunnelStep {
     /// The dashed link, as the side of the moving end.
     pub crossed: u32,
     /// The triangle taken.
@@ -42,7 +42,7 @@ pub(crate) struct Step {
 
 /// Triangles of one original strip between two indices.
 #[derive(Clone, Copy, Debug)]
-struct Run {
+struct OriginalRun {
     strip: u32,
     low: u32,
     high: u32,
@@ -71,17 +71,17 @@ pub(crate) enum Relation {
 
 /// The strip of a moving end as runs of the original strips.
 #[derive(Debug, Default)]
-pub(crate) struct Trace {
-    runs: Vec<Run>,
+pub(crate) struct StripTrace {
+    runs: Vec<OriginalRun>,
     touched: Vec<u32>,
 }
 
-impl Trace {
+impl StripTrace {
     /// Traces the strip of the last step's moving end (of `start` if there are no steps).
     pub(crate) fn follow(
         &mut self,
         start: u32,
-        steps: &[Step],
+        steps: &[TunnelStep],
         links: &StripLinks<'_>,
         locations: &impl StripLocations,
     ) {
@@ -89,20 +89,19 @@ impl Trace {
         self.touched.clear();
         self.touched.push(locations.strip(start));
         self.touched.extend(steps.iter().map(|step| locations.strip(step.taken)));
-        // Start of the next run: a triangle, and the one that the tunnel has cut it from.
         let mut from = match steps.last() {
-            Some(last) => (last.end, Some(last.taken)),
-            None => (start, None),
+            Some(last) => RunStart { first: last.end, cut_from: Some(last.taken) },
+            None => RunStart { first: start, cut_from: None },
         };
         while let Some(run) = self.run_from(from, steps, links, locations) {
             let Some(far) = self.far_end(run, start, steps, locations) else { return };
             from = match far {
-                RunEnd::Taken(0) => (start, None),
-                RunEnd::Taken(i) => (steps[i - 1].end, Some(steps[i - 1].taken)),
+                RunEnd::Taken(0) => RunStart { first: start, cut_from: None },
+                RunEnd::Taken(i) => RunStart { first: steps[i - 1].end, cut_from: Some(steps[i - 1].taken) },
                 RunEnd::Start if steps.is_empty() => return,
-                RunEnd::Start => (steps[0].taken, Some(steps[0].end)),
+                RunEnd::Start => RunStart { first: steps[0].taken, cut_from: Some(steps[0].end) },
                 RunEnd::End(i) if i + 1 == steps.len() => return,
-                RunEnd::End(i) => (steps[i + 1].taken, Some(steps[i + 1].end)),
+                RunEnd::End(i) => RunStart { first: steps[i + 1].taken, cut_from: Some(steps[i + 1].end) },
             };
         }
     }
@@ -111,11 +110,12 @@ impl Trace {
     /// strip ends there.
     fn run_from(
         &mut self,
-        (first, cut_from): (u32, Option<u32>),
-        steps: &[Step],
+        start: RunStart,
+        steps: &[TunnelStep],
         links: &StripLinks<'_>,
         locations: &impl StripLocations,
-    ) -> Option<Run> {
+    ) -> Option<OriginalRun> {
+        let RunStart { first, cut_from } = start;
         let (strip, index) = (locations.strip(first), locations.index(first));
         let rises = match cut_from {
             Some(other) => index > locations.index(other),
@@ -125,7 +125,7 @@ impl Trace {
             },
         };
         let is_alone = links.solid_degree(first) == u32::from(cut_from.is_some());
-        let mut run = Run { strip, low: index, high: index, rises };
+        let mut run = OriginalRun { strip, low: index, high: index, rises };
         if is_alone {
             self.runs.push(run);
             return None;
@@ -146,9 +146,9 @@ impl Trace {
     /// Returns the element of the tunnel at the far end of a run, if the strip continues from there.
     fn far_end(
         &self,
-        run: Run,
+        run: OriginalRun,
         start: u32,
-        steps: &[Step],
+        steps: &[TunnelStep],
         locations: &impl StripLocations,
     ) -> Option<RunEnd> {
         let far = if run.rises { run.high } else { run.low };
@@ -176,13 +176,20 @@ impl Trace {
             return Relation::Untouched;
         }
         let index = locations.index(triangle);
-        let within = |run: &Run| run.strip == strip && (run.low..=run.high).contains(&index);
+        let within = |run: &OriginalRun| run.strip == strip && (run.low..=run.high).contains(&index);
         match self.runs.iter().position(within) {
             Some(0) => Relation::Same { is_end_above: !self.runs[0].rises },
             Some(i) => Relation::SameMoved { is_end_above: !self.runs[i].rises },
             None => Relation::Other,
         }
     }
+}
+
+/// Start of a run: a triangle, and the one that the tunnel has cut it from.
+#[derive(Clone, Copy)]
+struct RunStart {
+    first: u32,
+    cut_from: Option<u32>,
 }
 
 /// Element at the far end of a run.

@@ -11,8 +11,8 @@ use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall};
 use striata_command::output::{Output, format_bytes, format_count, format_duration};
 use striata_command::sequence::StepKind;
 use striata_paged::build::{
-    BuildError, BuildInput, BuildOptions, Limit, Plan, WorkLock, is_address, remove_work, run_all,
-    threads_for_memory,
+    BuildInput, BuildOptions, BuildPaths, Limit, PagedBuildError, PagedPlan, WorkLock, is_address,
+    remove_work, run_all, threads_for_memory,
 };
 
 use super::input::{build_input, build_options, scratch_bytes, work_folder};
@@ -65,7 +65,13 @@ pub(crate) fn build(
     let plan = match known {
         Some(plan) => plan,
         None => {
-            let made = Plan::make((input, options), path, &folder, (threads, &mut |p| bar.show(p)));
+            let made = PagedPlan::make(
+                input,
+                options,
+                BuildPaths { output: path, folder: &folder },
+                threads,
+                &mut |p| bar.show(p),
+            );
             if made.is_err() {
                 // The error itself is more important.
                 let _ = remove_work(&folder);
@@ -82,7 +88,7 @@ pub(crate) fn build(
     }
     check_space(&plan)?;
     let run = run_all(&plan, threads, &mut |p| bar.show(p));
-    if matches!(run, Err(BuildError::Merging { .. } | BuildError::Base { .. })) {
+    if matches!(run, Err(PagedBuildError::Merging { .. } | PagedBuildError::Base { .. })) {
         // The plan cannot be completed.
         plan.remove_work().map_err(failure)?;
     }
@@ -175,13 +181,13 @@ fn known_plan(
     folder: &Path,
     (input, options): (&BuildInput, &BuildOptions),
     path: &Path,
-) -> Result<Option<Plan>, Failure> {
+) -> Result<Option<PagedPlan>, Failure> {
     if !folder.join("plan.json").exists() {
         return Ok(None);
     }
-    let plan = Plan::open(folder).map_err(failure)?;
+    let plan = PagedPlan::open(folder).map_err(failure)?;
     if (&plan.input, &plan.options, plan.output.as_path()) != (input, options, path) {
-        return Err(failure(BuildError::OtherBuild { path: folder.to_owned() }));
+        return Err(failure(PagedBuildError::OtherBuild { path: folder.to_owned() }));
     }
     plan.check_inputs().map_err(failure)?;
     Ok(Some(plan))
@@ -198,7 +204,7 @@ fn check_output(path: &Path) -> Result<(), Failure> {
 }
 
 /// Checks that the disks have room for what is missing of the work folder and for the result.
-fn check_space(plan: &Plan) -> Result<(), Failure> {
+fn check_space(plan: &PagedPlan) -> Result<(), Failure> {
     let estimate = plan.estimate();
     let missing = estimate.work_bytes.saturating_sub(size_of_output(&plan.folder));
     let output = plan.output.parent().filter(|folder| !folder.as_os_str().is_empty());
@@ -217,7 +223,7 @@ fn check_space(plan: &Plan) -> Result<(), Failure> {
 fn check_disk(folder: &Path, needed: u64) -> Result<(), Failure> {
     match fs4::available_space(folder) {
         Ok(available) if available < needed => {
-            Err(failure(BuildError::DiskSpace { path: folder.to_owned(), needed, available }))
+            Err(failure(PagedBuildError::DiskSpace { path: folder.to_owned(), needed, available }))
         }
         // An unknown size must not stop anybody.
         _ => Ok(()),

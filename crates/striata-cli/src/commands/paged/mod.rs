@@ -16,26 +16,28 @@ pub(crate) use source::{camera_of, is_paged_file, open_input};
 
 use striata_command::failure::Failure;
 use striata_paged::PagedError;
-use striata_paged::build::BuildError;
+use striata_paged::build::PagedBuildError;
 
 /// Converts an error of a build.
-fn failure(error: BuildError) -> Failure {
+fn failure(error: PagedBuildError) -> Failure {
     match error {
-        BuildError::Read(error) => Failure::from(error),
-        BuildError::Simplify { .. } | BuildError::NoOwner { .. } => Failure::internal(error.to_string()),
-        BuildError::DiskSpace { .. } => Failure::user(error.to_string())
+        PagedBuildError::Read(error) => Failure::from(error),
+        PagedBuildError::Simplify { .. } | PagedBuildError::NoOwner { .. } => {
+            Failure::internal(error.to_string())
+        }
+        PagedBuildError::DiskSpace { .. } => Failure::user(error.to_string())
             .with_hint("put the work folder on another disk with --work, or free some space"),
-        BuildError::Merging { .. } => Failure::user(error.to_string())
+        PagedBuildError::Merging { .. } => Failure::user(error.to_string())
             .with_hint("keep positions with --exact, or build it anyway with --allow-merging"),
-        BuildError::Base { .. } => {
+        PagedBuildError::Base { .. } => {
             Failure::user(format!("--strict: {error}")).with_hint("remove --strict to get the closest level")
         }
-        BuildError::InputChanged { .. } => {
+        PagedBuildError::InputChanged { .. } => {
             Failure::user(error.to_string()).with_hint("begin again: build with --restart, or plan it anew")
         }
-        BuildError::InUse { .. } => Failure::user(error.to_string())
+        PagedBuildError::InUse { .. } => Failure::user(error.to_string())
             .with_hint("wait for it, or choose another output or another folder with --work"),
-        BuildError::TaskOrder { .. } => Failure::user(error.to_string())
+        PagedBuildError::TaskOrder { .. } => Failure::user(error.to_string())
             .with_hint("tasks of a stage may run in any order, but only when the stages before are complete"),
         other => Failure::user(other.to_string()),
     }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use serde::Serialize;
 use striata_command::failure::Failure;
 use striata_command::output::{Output, Table, format_bytes, format_count, format_duration};
-use striata_paged::build::{Plan, Simulation, SimulationOptions, Stage};
+use striata_paged::build::{BuildPaths, BuildStage, PagedPlan, Simulation, SimulationOptions};
 
 use super::build::limited;
 use super::input::{build_input, build_options, work_folder};
@@ -20,7 +20,7 @@ struct Report {
     plan: PathBuf,
     triangles: u64,
     tasks: usize,
-    stages: Vec<Stage>,
+    stages: Vec<BuildStage>,
     pages: u64,
     work_bytes: u64,
     result_bytes: u64,
@@ -40,7 +40,13 @@ pub(crate) fn plan(args: &PlanArgs, output: &Output) -> Result<(), Failure> {
     }
     let threads = args.threads.unwrap_or_else(core_count);
     let mut bar = output.bar();
-    let plan = Plan::make((input, options), &args.output, &folder, (threads, &mut |p| bar.show(p)));
+    let plan = PagedPlan::make(
+        input,
+        options,
+        BuildPaths { output: &args.output, folder: &folder },
+        threads,
+        &mut |p| bar.show(p),
+    );
     let plan = plan.map_err(failure)?;
     drop(bar);
     if let Err(refused) = output.warn(&plan.warnings) {

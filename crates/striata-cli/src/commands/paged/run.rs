@@ -5,7 +5,7 @@ use std::time::Instant;
 use serde::Serialize;
 use striata_command::failure::Failure;
 use striata_command::output::{Output, format_duration};
-use striata_paged::build::{Plan, run_all, run_task};
+use striata_paged::build::{PagedPlan, run_all, run_task};
 
 use super::{core_count, failure};
 use crate::args::RunArgs;
@@ -23,7 +23,7 @@ struct Report {
 /// If a task fails; what others have completed stays.
 pub(crate) fn run(args: &RunArgs, output: &Output) -> Result<(), Failure> {
     let start = Instant::now();
-    let plan = Plan::open(&args.plan).map_err(failure)?;
+    let plan = PagedPlan::open(&args.plan).map_err(failure)?;
     match args.task {
         Some(task) => run_task(&plan, task).map_err(failure)?,
         None => {

@@ -22,12 +22,12 @@ struct Visit {
     /// Number of its sides that were followed.
     followed: u8,
     /// The part that this triangle belongs to, as far as its subtree has been searched.
-    part: Part,
+    part: BridgePart,
 }
 
 /// Connected part of the graph below a triangle, up to the next bridges.
 #[derive(Clone, Copy, Debug, Default)]
-struct Part {
+struct BridgePart {
     /// Number of strips behind its bridges if those bridges are not used.
     beyond: u32,
     /// Number of bridges that save a strip when used.
@@ -36,7 +36,7 @@ struct Part {
     is_large: bool,
 }
 
-impl Part {
+impl BridgePart {
     /// Returns the number of strips of the part and of everything behind its bridges, if `outer` further
     /// bridges are used.
     fn strips(self, outer: u32) -> u32 {
@@ -68,8 +68,9 @@ pub(super) fn least_strips(
     mut found: impl FnMut(u32, u32),
 ) -> Vec<u32> {
     let count = graph.triangle_count();
-    let unseen = Visit { time: NO_TWIN, low: 0, entered: NO_TWIN, followed: 0, part: Part::default() };
-    let mut search = Search { twins: graph.twins(), visits: vec![unseen; count], time: 0, stack: Vec::new() };
+    let unseen = Visit { time: NO_TWIN, low: 0, entered: NO_TWIN, followed: 0, part: BridgePart::default() };
+    let mut search =
+        BridgeSearch { twins: graph.twins(), visits: vec![unseen; count], time: 0, stack: Vec::new() };
     let mut least = Vec::new();
     for triangle in 0..count as u32 {
         if search.visits[triangle as usize].time == NO_TWIN && !left_out(triangle) {
@@ -82,16 +83,16 @@ pub(super) fn least_strips(
 }
 
 /// Depth-first search without recursion.
-struct Search<'a> {
+struct BridgeSearch<'a> {
     twins: &'a [u32],
     visits: Vec<Visit>,
     time: u32,
     stack: Vec<u32>,
 }
 
-impl Search<'_> {
+impl BridgeSearch<'_> {
     /// Searches a component and returns the part that contains the start triangle.
-    fn run(&mut self, root: u32, mut found: impl FnMut(u32)) -> Part {
+    fn run(&mut self, root: u32, mut found: impl FnMut(u32)) -> BridgePart {
         self.enter(root, NO_TWIN);
         found(root);
         while let Some(&triangle) = self.stack.last() {
@@ -125,7 +126,7 @@ impl Search<'_> {
         let time = self.time;
         self.time += 1;
         self.visits[triangle as usize] =
-            Visit { time, low: time, entered, followed: 0, part: Part::default() };
+            Visit { time, low: time, entered, followed: 0, part: BridgePart::default() };
         self.stack.push(triangle);
     }
 

@@ -8,8 +8,8 @@ use striata::strip::StripLinks;
 
 use super::growth::join_ends;
 use super::location_table::LocationTable;
-use super::search::Search;
-use super::trace::{Relation, Step, StripLocations, Trace};
+use super::search::TunnelPathSearch;
+use super::trace::{Relation, StripLocations, StripTrace, TunnelStep};
 use super::{TunnelJoiner, swap_links};
 use pushed_identities::PushedIdentities;
 
@@ -42,7 +42,7 @@ fn linked<'a>(twins: &'a [u32], solid: &[(u32, u32)]) -> StripLinks<'a> {
 
 /// Finds and applies the shortest tunnel from a node. Returns the nodes that it visits, in order.
 fn apply(links: &mut StripLinks<'_>, start: u32, max_length: u32) -> Option<Vec<u32>> {
-    let mut search = Search::new(links.triangle_count(), max_length);
+    let mut search = TunnelPathSearch::new(links.triangle_count(), max_length);
     let last = search.find(start, links, &LocationTable::new(links), &mut Random::new(7))?;
     swap_links(search.steps(), Some(last), links);
     let inner = search.steps().iter().flat_map(|step| [step.taken, step.end]);
@@ -114,7 +114,7 @@ fn figure_5_inside_a_strip_the_tunnel_turns_back() {
     let mut wrong = linked(&twins, &solid);
     let side = |a, b| side_between(&twins, a, b);
     swap_links(
-        &[Step { crossed: side(0, 2), taken: 2, cut: side(2, 3), end: 3 }],
+        &[TunnelStep { crossed: side(0, 2), taken: 2, cut: side(2, 3), end: 3 }],
         Some(side(3, 6)),
         &mut wrong,
     );
@@ -135,8 +135,8 @@ fn figure_7_identities_from_before_the_search_do_not_suffice() {
     let twins = twins_of(8, &[&solid[..], &dashed[..]].concat());
     let side = |a, b| side_between(&twins, a, b);
     let steps = [
-        Step { crossed: side(3, 5), taken: 5, cut: side(5, 6), end: 6 },
-        Step { crossed: side(6, 1), taken: 1, cut: side(1, 2), end: 2 },
+        TunnelStep { crossed: side(3, 5), taken: 5, cut: side(5, 6), end: 6 },
+        TunnelStep { crossed: side(6, 1), taken: 1, cut: side(1, 2), end: 2 },
     ];
     let links = linked(&twins, &solid);
     let before = LocationTable::new(&links);
@@ -146,7 +146,7 @@ fn figure_7_identities_from_before_the_search_do_not_suffice() {
     swap_links(&steps, Some(side(2, 4)), &mut complemented);
     assert_eq!(path_count(&complemented), None);
 
-    let mut trace = Trace::default();
+    let mut trace = StripTrace::default();
     trace.follow(3, &steps, &links, &before);
     assert!(matches!(trace.relation(4, &before), Relation::SameMoved { .. }), "dynamic ones refuse it");
     assert_eq!(apply(&mut links.clone(), 3, 99), None);
@@ -181,7 +181,7 @@ fn random_strips<'a>(mesh: &IndexedMesh, graph: &'a DualGraph, random: &mut Rand
 fn check_traces(links: &StripLinks<'_>, start: u32, random: &mut Random) -> usize {
     let locations = LocationTable::new(links);
     let mut pushed = PushedIdentities::new(links.clone());
-    let (mut steps, mut trace, mut end): (Vec<Step>, _, _) = (Vec::new(), Trace::default(), start);
+    let (mut steps, mut trace, mut end): (Vec<TunnelStep>, _, _) = (Vec::new(), StripTrace::default(), start);
     let mut compared_count = 0;
     for _ in 0..12 {
         trace.follow(start, &steps, links, &locations);
@@ -257,7 +257,7 @@ proptest! {
             .filter(|&t| links.solid_degree(t) < 2 && is_proper(&mesh.triangles[t as usize])).collect();
         let mut strip_count = path_count(&links).unwrap();
         let locations = LocationTable::new(&links);
-        let search = Search::new(links.triangle_count(), max_length);
+        let search = TunnelPathSearch::new(links.triangle_count(), max_length);
         let mut joiner = TunnelJoiner { links: &mut links, locations, search, random, search_count: 0 };
         for &end in &ends {
             let found_count = joiner.dig(end, 3, &mut |_| 0.0).unwrap();

@@ -3,7 +3,7 @@
 use striata::mesh::NO_TWIN;
 use striata::strip::StripLinks;
 
-use super::super::trace::Step;
+use super::super::trace::TunnelStep;
 
 /// Links that change with each step of a tunnel, and the identities of their strips.
 pub(super) struct PushedIdentities<'a> {
@@ -11,7 +11,7 @@ pub(super) struct PushedIdentities<'a> {
     /// Stack of identities of each triangle; the last one is valid.
     stacks: Vec<Vec<u32>>,
     /// Steps, each with the triangles whose stack it pushed to.
-    steps: Vec<(Step, Vec<u32>)>,
+    steps: Vec<(TunnelStep, Vec<u32>)>,
 }
 
 impl<'a> PushedIdentities<'a> {
@@ -31,7 +31,7 @@ impl<'a> PushedIdentities<'a> {
     }
 
     /// Returns the steps from a moving end that obey the second rule.
-    pub(super) fn valid_steps(&self, end: u32, is_visited: impl Fn(u32) -> bool) -> Vec<Step> {
+    pub(super) fn valid_steps(&self, end: u32, is_visited: impl Fn(u32) -> bool) -> Vec<TunnelStep> {
         let mut steps = Vec::new();
         for crossed in 3 * end..3 * end + 3 {
             let entered = self.links.twins()[crossed as usize];
@@ -43,7 +43,7 @@ impl<'a> PushedIdentities<'a> {
                 let next = self.links.twins()[cut as usize] / 3;
                 let is_right = !self.are_in_one_strip(end, taken) || self.leads_to(cut, end);
                 if is_right && !is_visited(next) {
-                    steps.push(Step { crossed, taken, cut, end: next });
+                    steps.push(TunnelStep { crossed, taken, cut, end: next });
                 }
             }
         }
@@ -51,7 +51,7 @@ impl<'a> PushedIdentities<'a> {
     }
 
     /// Takes a step: the triangles that join the moving end's strip get its identity.
-    pub(super) fn push(&mut self, step: Step) {
+    pub(super) fn push(&mut self, step: TunnelStep) {
         let identity = *self.stacks[step.crossed as usize / 3].last().unwrap();
         self.links.cut(step.cut);
         let is_same = self.are_in_one_strip(step.crossed / 3, step.taken);
