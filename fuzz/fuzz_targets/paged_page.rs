@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use striata_paged::{PagedGrid, Metadata, Page, PageId, PagedLayer};
+use striata_paged::{Metadata, Page, PageId, PagedGrid, PagedLayer};
 
 fn metadata() -> Metadata {
     let layer = |semantic: &str, component_type: &str, step| PagedLayer {
