@@ -16,15 +16,15 @@ use crate::steps::{self, cargo, say};
 use crate::{machine, target_folder};
 
 /// A kind of machine: its name, and the environment variables that simulate it.
-struct Kind {
+struct MachineKind {
     name: &'static str,
     environment: &'static [(&'static str, &'static str)],
 }
 
-const KINDS: [Kind; 3] = [
-    Kind { name: "as it is", environment: &[] },
-    Kind { name: "OpenGL alone", environment: &[("WGPU_BACKEND", "gl")] },
-    Kind {
+const KINDS: [MachineKind; 3] = [
+    MachineKind { name: "as it is", environment: &[] },
+    MachineKind { name: "OpenGL alone", environment: &[("WGPU_BACKEND", "gl")] },
+    MachineKind {
         name: "no drivers",
         environment: &[
             ("VK_DRIVER_FILES", "/nonexistent"),
@@ -66,7 +66,7 @@ pub(crate) fn run() -> Result<()> {
 }
 
 /// Runs the demo as a new user would; messages from drivers count as failures.
-fn demo(command: &Path, kind: &Kind, folder: &Path) -> Result<()> {
+fn demo(command: &Path, kind: &MachineKind, folder: &Path) -> Result<()> {
     say(&format!("$ striata demo   ({})", kind.name));
     let mut run = std::process::Command::new(command);
     for (name, _) in KINDS.iter().flat_map(|kind| kind.environment) {
@@ -91,7 +91,7 @@ fn compare(expected: &Path, found: &Path) -> Result<()> {
     let pictures: Vec<&String> = names.iter().filter(|name| name.ends_with(".png")).collect();
     ensure!(pictures.len() >= 4, "there are only {} pictures", pictures.len());
     for name in pictures {
-        let [a, b] = [expected, found].map(|folder| Picture::read(&folder.join(name)));
+        let [a, b] = [expected, found].map(|folder| PngPixels::read(&folder.join(name)));
         a?.expect_like(&b?).with_context(|| name.clone())?;
     }
     let is_exact = |name: &&String| SAME_BYTES.iter().any(|ending| name.ends_with(&format!(".{ending}")));
@@ -108,13 +108,13 @@ fn names(folder: &Path) -> Result<BTreeSet<String>> {
 }
 
 /// A PNG file, decoded.
-struct Picture {
+struct PngPixels {
     size: (u32, u32),
     channels: usize,
     bytes: Vec<u8>,
 }
 
-impl Picture {
+impl PngPixels {
     fn read(path: &PathBuf) -> Result<Self> {
         let mut reader = png::Decoder::new(BufReader::new(File::open(path)?)).read_info()?;
         let mut bytes = vec![0; reader.output_buffer_size().context("it is too large")?];
@@ -143,8 +143,8 @@ impl Picture {
 mod tests {
     use super::*;
 
-    fn picture(byte: impl Fn(usize) -> u8) -> Picture {
-        Picture { size: (100, 10), channels: 3, bytes: (0..3000).map(byte).collect() }
+    fn picture(byte: impl Fn(usize) -> u8) -> PngPixels {
+        PngPixels { size: (100, 10), channels: 3, bytes: (0..3000).map(byte).collect() }
     }
 
     #[test]
@@ -157,6 +157,6 @@ mod tests {
             gray.expect_like(&picture(|i| if i < 60 { 140 } else { 100 })).is_err(),
             "20 pixels are far off"
         );
-        assert!(gray.expect_like(&Picture { size: (10, 100), ..picture(|_| 100) }).is_err());
+        assert!(gray.expect_like(&PngPixels { size: (10, 100), ..picture(|_| 100) }).is_err());
     }
 }

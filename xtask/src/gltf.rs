@@ -28,7 +28,7 @@ const LINES: [&[&str]; 9] = [
 
 /// Arguments of `cargo xtask gltf`.
 #[derive(Debug, Args)]
-pub(crate) struct GltfArgs {
+pub(crate) struct GltfTaskArgs {
     /// Folders whose glTF files are read, with their subfolders
     #[arg(required = true)]
     folders: Vec<PathBuf>,
@@ -44,7 +44,7 @@ type Messages = BTreeMap<String, usize>;
 ///
 /// # Errors
 /// If Node.js or the validator is missing, or an output has an error that its input does not have.
-pub(crate) fn check(args: &GltfArgs) -> Result<()> {
+pub(crate) fn check(args: &GltfTaskArgs) -> Result<()> {
     let validator = workspace().join("xtask/gltf-validate");
     npm_install(&validator)?;
     let striata = match &args.striata {
@@ -67,7 +67,7 @@ pub(crate) fn check(args: &GltfArgs) -> Result<()> {
     for file in &files {
         remove_folder(&scratch)?;
         std::fs::create_dir_all(&scratch)?;
-        let (row, own) = check_file(file, (&striata, &validator), &scratch)?;
+        let (row, own) = check_file(file, &striata, &validator, &scratch)?;
         rows.push(row);
         faults.extend(own);
     }
@@ -96,7 +96,8 @@ fn add_files(folder: &Path, files: &mut Vec<PathBuf>) -> Result<()> {
 /// Runs all commands for a file; returns its row of the table and its faults.
 fn check_file(
     file: &Path,
-    (striata, validator): (&Path, &Path),
+    striata: &Path,
+    validator: &Path,
     scratch: &Path,
 ) -> Result<(String, Vec<String>)> {
     let mut refused = 0;

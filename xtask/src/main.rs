@@ -28,13 +28,13 @@ use clap::{Parser, Subcommand};
 /// Maintenance tasks of the striata workspace
 #[derive(Debug, Parser)]
 #[command(name = "cargo xtask")]
-struct Cli {
+struct TaskCli {
     #[command(subcommand)]
-    task: Task,
+    task: MaintenanceTask,
 }
 
 #[derive(Debug, Subcommand)]
-enum Task {
+enum MaintenanceTask {
     /// Run every check: format, lints, tests, docs, features, wasm32, golden files, browser
     Test,
     /// Run only the demo check: with Vulkan, with only OpenGL, and without graphics drivers
@@ -42,7 +42,7 @@ enum Task {
     /// Run only the golden check: run the demo and validate its files
     Golden,
     /// Run the verbs over glTF files, and check what they write with the glTF validator
-    Gltf(gltf::GltfArgs),
+    Gltf(gltf::GltfTaskArgs),
     /// Run only the browser tests: the viewer page in Chromium, served by `striata serve`
     Browser,
     /// Build the wasm, the npm package and the viewer page (which is committed)
@@ -72,21 +72,21 @@ enum Task {
 }
 
 fn main() -> ExitCode {
-    let outcome = match Cli::parse().task {
-        Task::Test => test::run(),
-        Task::Bare => bare::run(),
-        Task::Golden => golden::run(),
-        Task::Gltf(args) => gltf::check(&args),
-        Task::Browser => browser::run(),
-        Task::Web { package: true } => web::prepare_library(),
-        Task::Web { package: false } => web::build(),
-        Task::WebCheck => web::check(),
-        Task::Py => py::run(),
-        Task::Packages => packages::run(),
-        Task::Licenses => licenses::check(),
-        Task::OldestRust => oldest_rust::check(),
-        Task::House { list } => house::check(list),
-        Task::Results(args) => results::run(&args),
+    let outcome = match TaskCli::parse().task {
+        MaintenanceTask::Test => test::run(),
+        MaintenanceTask::Bare => bare::run(),
+        MaintenanceTask::Golden => golden::run(),
+        MaintenanceTask::Gltf(args) => gltf::check(&args),
+        MaintenanceTask::Browser => browser::run(),
+        MaintenanceTask::Web { package: true } => web::prepare_library(),
+        MaintenanceTask::Web { package: false } => web::build(),
+        MaintenanceTask::WebCheck => web::check(),
+        MaintenanceTask::Py => py::run(),
+        MaintenanceTask::Packages => packages::run(),
+        MaintenanceTask::Licenses => licenses::check(),
+        MaintenanceTask::OldestRust => oldest_rust::check(),
+        MaintenanceTask::House { list } => house::check(list),
+        MaintenanceTask::Results(args) => results::run(&args),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

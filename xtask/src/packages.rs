@@ -33,13 +33,13 @@ pub(crate) fn run() -> Result<()> {
     Ok(())
 }
 
-struct Package {
+struct PublishedPackage {
     name: String,
     folder: PathBuf,
 }
 
 /// Returns the published crates, and the names of the unpublished ones.
-fn members() -> Result<(Vec<Package>, Vec<String>)> {
+fn members() -> Result<(Vec<PublishedPackage>, Vec<String>)> {
     let output = cargo(&["metadata", "--format-version", "1", "--no-deps"]).output()?;
     let metadata: Value = serde_json::from_slice(&output.stdout).context("cargo metadata")?;
     let (mut published, mut unpublished) = (Vec::new(), Vec::new());
@@ -50,7 +50,7 @@ fn members() -> Result<(Vec<Package>, Vec<String>)> {
         } else {
             let manifest = Path::new(package["manifest_path"].as_str().unwrap_or_default());
             let folder = manifest.parent().context("a manifest is not in a folder")?.to_owned();
-            published.push(Package { name, folder });
+            published.push(PublishedPackage { name, folder });
         }
     }
     Ok((published, unpublished))
@@ -67,7 +67,7 @@ fn stderr_of(command: &mut Command) -> Result<String> {
 }
 
 /// Checks that each file included by the code is part of the package.
-fn check_includes(package: &Package) -> Result<()> {
+fn check_includes(package: &PublishedPackage) -> Result<()> {
     let arguments = ["package", "--list", "--allow-dirty", "--package", &package.name];
     let output = cargo(&arguments).output()?;
     ensure!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr).trim_end());

@@ -12,7 +12,7 @@ use crate::{machine, target_folder, workspace};
 const INTERPRETERS: [&str; 2] = ["python3", "python"];
 
 /// A virtual environment of its own, kept between runs.
-struct Environment {
+struct VirtualEnvironment {
     folder: PathBuf,
 }
 
@@ -25,7 +25,7 @@ pub(crate) fn run() -> Result<()> {
     // Without an interpreter, and without linking to one.
     let variables = [("PYO3_NO_PYTHON", "1"), ("PYO3_BUILD_EXTENSION_MODULE", "1")];
     steps::run(cargo(&lint).envs(variables))?;
-    let environment = Environment::new(target_folder()?.join("py/venv"))?;
+    let environment = VirtualEnvironment::new(target_folder()?.join("py/venv"))?;
     let package = package();
     environment.install(&["-r", "tests/requirements.txt"])?;
     // Packages of hundreds of megabytes, which not every platform has.
@@ -53,7 +53,7 @@ fn package() -> PathBuf {
     workspace().join("crates/striata-py")
 }
 
-impl Environment {
+impl VirtualEnvironment {
     /// Opens a virtual environment, or makes it if it does not work.
     fn new(folder: PathBuf) -> Result<Self> {
         let environment = Self { folder };

@@ -28,7 +28,7 @@ use anyhow::{Context, Result, bail};
 use crate::machine::{self, WASM_TARGET};
 use crate::steps::{self, say};
 use crate::workspace;
-use stamp::Stamp;
+use stamp::AssetStamp;
 use wasm::folder;
 
 pub(crate) use wasm::rustc_output;
@@ -55,7 +55,7 @@ pub(crate) fn build() -> Result<()> {
 /// If a tool is missing or fails.
 pub(crate) fn prepare_library() -> Result<()> {
     let exists = dist().join("striata.js").is_file();
-    if exists && Stamp::read(&dist_stamp()).is_ok_and(|stamp| stamp.is_fresh()) {
+    if exists && AssetStamp::read(&dist_stamp()).is_ok_and(|stamp| stamp.is_fresh()) {
         return Ok(());
     }
     if let Some(missing) = missing_tool() {
@@ -69,7 +69,7 @@ pub(crate) fn prepare_library() -> Result<()> {
 /// # Errors
 /// If the viewer is out of date, or tests fail.
 pub(crate) fn check() -> Result<()> {
-    let stamp = Stamp::read(&viewer_stamp()).context(ADVICE)?;
+    let stamp = AssetStamp::read(&viewer_stamp()).context(ADVICE)?;
     if let Some(missing) = missing_tool() {
         say(&format!("{missing}: the web package is neither built nor tested"));
         print_notice(&stamp);
@@ -90,7 +90,7 @@ pub(crate) fn check() -> Result<()> {
 }
 
 /// Prints a notice if the viewer is older than its sources.
-fn print_notice(stamp: &Stamp) {
+fn print_notice(stamp: &AssetStamp) {
     let changed = stamp.changed();
     if !changed.is_empty() {
         let changed = changed.join("; ");

@@ -137,7 +137,7 @@ fn fans(c: &mut Criterion) {
                 })
             });
             out.clear();
-            emit_forms(&mut group, (name, percent), &table, &instance);
+            emit_forms(&mut group, name, percent, &table, &instance);
         }
         let [coarse, fine] =
             [10, 12].map(|percent| FanInstance::uniform(&table, table.step_count() * percent / 100));
@@ -180,7 +180,8 @@ fn fans(c: &mut Criterion) {
 /// Benches the other output forms, and triangles on all threads.
 fn emit_forms(
     group: &mut BenchmarkGroup<'_, WallTime>,
-    (name, percent): (&str, usize),
+    name: &str,
+    percent: usize,
     table: &Fans,
     instance: &FanInstance,
 ) {

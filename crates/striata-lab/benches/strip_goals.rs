@@ -85,7 +85,7 @@ fn main() -> Fallible<()> {
         let mesh = if arguments.is_as_filed { mesh } else { weld(&mesh)?.mesh };
         for &(of, matched) in MATCHED.iter().filter(|(of, _)| *of == name) {
             let mut rows = Rows { table: &mut counts, mesh: &mesh, arguments: &arguments };
-            matched.iter().try_for_each(|&target| rows.add(of, target))?;
+            matched.iter().try_for_each(|&(whose, target)| rows.add(of, whose, target))?;
         }
         if !arguments.is_as_filed {
             add_budgets(&name, &mesh, &mut budgets)?;
@@ -114,7 +114,7 @@ struct Rows<'a> {
 
 impl Rows<'_> {
     /// Adds a row for each algorithm.
-    fn add(&mut self, name: &str, (whose, target): (&str, usize)) -> Fallible<()> {
+    fn add(&mut self, name: &str, whose: &str, target: usize) -> Fallible<()> {
         let mut push = |algorithm: &str, length: String, strips: String, ms: String| {
             let first = [name, whose, &target.to_string(), algorithm].map(str::to_owned);
             self.table.push(first.into_iter().chain([length, strips, ms]).collect());

@@ -5,7 +5,7 @@
 use std::io::Write;
 use std::time::Duration;
 
-use striata_testing::server::{Connection, Plan, Server, run, write_file};
+use striata_testing::server::{Connection, LoadPlan, Server, run, write_file};
 
 /// Longer runs give no more information.
 const MAX_SECS: u64 = 600;
@@ -22,9 +22,10 @@ fn main() {
     print(&format!("{}: {}", server.report["url"], String::from_utf8_lossy(&list.body)));
     let is_there = !list.header("etag").is_empty() && list.status == 200;
     assert!(is_there, "the server does not respond correctly");
-    for plan in
-        [Plan { quick: 180, slow: 0, lasts: duration / 2 }, Plan { quick: 180, slow: 20, lasts: duration }]
-    {
+    for plan in [
+        LoadPlan { quick: 180, slow: 0, lasts: duration / 2 },
+        LoadPlan { quick: 180, slow: 20, lasts: duration },
+    ] {
         let outcome = run(&server, plan);
         let last = outcome.latencies.len().saturating_sub(1);
         let ms = |per_mille: usize| {

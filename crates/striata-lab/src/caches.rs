@@ -16,7 +16,7 @@ use crate::args::CachesArgs;
 const CACHE_SIZE: usize = 16;
 
 #[derive(Serialize)]
-struct Report {
+struct CachesReport {
     files: Vec<FileReport>,
 }
 
@@ -40,7 +40,7 @@ struct FileReport {
 /// If a file cannot be read.
 pub(crate) fn run(args: &CachesArgs, output: &Output) -> Result<(), Failure> {
     let files = args.inputs.iter().map(|path| measured(path)).collect::<Result<Vec<_>, _>>()?;
-    let report = Report { files };
+    let report = CachesReport { files };
     output.data(&report, &report.to_text())
 }
 
@@ -94,7 +94,7 @@ fn other_order(_: &[u32]) -> Option<Vec<u32>> {
     None
 }
 
-impl Report {
+impl CachesReport {
     fn to_text(&self) -> String {
         let head = ["file", "triangles", "ACMR, FIFO 16", "meshoptimizer", "ratio", "vertices by first use"];
         let mut table = Table::with_head(&head);

@@ -18,20 +18,20 @@ use std::process::ExitCode;
 use striata_command::failure::Failure;
 use striata_command::output::Output;
 
-use crate::args::{Cli, Verb};
+use crate::args::{LabCli, LabVerb};
 
 fn main() -> ExitCode {
     striata_command::run(run)
 }
 
-fn run(cli: &Cli) -> Result<(), Failure> {
+fn run(cli: &LabCli) -> Result<(), Failure> {
     let output = Output::new(cli.report);
     match &cli.verb {
-        Verb::Compare(args) => compare::run(args, &output),
-        Verb::Poses(args) => poses::run(args, &output),
-        Verb::Caches(args) => caches::run(args, &output),
-        Verb::Show(args) => show::run(args, &output),
+        LabVerb::Compare(args) => compare::run(args, &output),
+        LabVerb::Poses(args) => poses::run(args, &output),
+        LabVerb::Caches(args) => caches::run(args, &output),
+        LabVerb::Show(args) => show::run(args, &output),
         #[cfg(feature = "gpu")]
-        Verb::BenchGpu(args) => bench_gpu::run(args, &output.with_drivers(args.drivers)),
+        LabVerb::BenchGpu(args) => bench_gpu::run(args, &output.with_drivers(args.drivers)),
     }
 }

@@ -88,9 +88,9 @@ impl CheckedGlb {
         let lights =
             self.document.pointer("/extensions/KHR_lights_punctual/lights").and_then(Value::as_array);
         counts.insert("lights", lights.map_or(0, Vec::len));
-        let mut named = (0, 0);
+        let mut named = NameCounts::default();
         count_names(&self.document, &mut named);
-        counts.extend([("names", named.0), ("extras", named.1)]);
+        counts.extend([("names", named.names), ("extras", named.extras)]);
         counts
     }
 
@@ -585,12 +585,19 @@ fn extensions_in(value: &Value, found: &mut BTreeSet<String>) {
     }
 }
 
+/// Numbers of names and extras in a document.
+#[derive(Default)]
+struct NameCounts {
+    names: usize,
+    extras: usize,
+}
+
 /// Counts names and extras.
-fn count_names(value: &Value, counts: &mut (usize, usize)) {
+fn count_names(value: &Value, counts: &mut NameCounts) {
     match value {
         Value::Object(members) => {
-            counts.0 += usize::from(members.contains_key("name"));
-            counts.1 += usize::from(members.contains_key("extras"));
+            counts.names += usize::from(members.contains_key("name"));
+            counts.extras += usize::from(members.contains_key("extras"));
             members
                 .iter()
                 .filter(|(key, _)| *key != "extras")

@@ -13,15 +13,15 @@ use petgraph::graphmap::DiGraphMap;
 use syn::visit::{self, Visit};
 use syn::{Item, UseTree, Visibility};
 
-use super::Found;
-use super::sources::{Source, Sources, is_for_tests};
+use super::CountWithPlaces;
+use super::sources::{RustFile, RustFiles, is_for_tests};
 
 /// How many times an item may be passed on from module to module.
 const MOST_STEPS: usize = 16;
 
 /// Finds the circles of files outside of tests.
-pub(super) fn circles(sources: &Sources) -> Result<Found> {
-    let mut crates: BTreeMap<String, Vec<&Source>> = BTreeMap::new();
+pub(super) fn circles(sources: &RustFiles) -> Result<CountWithPlaces> {
+    let mut crates: BTreeMap<String, Vec<&RustFile>> = BTreeMap::new();
     for source in &sources.files {
         if let Some((package, _)) = place_of(&source.path) {
             crates.entry(package).or_default().push(source);
@@ -73,12 +73,12 @@ struct Modules {
     /// File of each module.
     files: BTreeMap<Vec<String>, usize>,
     /// By file.
-    contents: Vec<Content>,
+    contents: Vec<NamesOfFile>,
 }
 
 /// Names that a file defines and imports.
 #[derive(Default)]
-struct Content {
+struct NamesOfFile {
     module: Vec<String>,
     defined: BTreeSet<String>,
     /// Names that the file imports or passes on, with their paths.
@@ -90,13 +90,13 @@ struct Content {
 }
 
 impl Modules {
-    fn new(sources: &[&Source]) -> Self {
+    fn new(sources: &[&RustFile]) -> Self {
         let mut files = BTreeMap::new();
         let mut contents = Vec::with_capacity(sources.len());
         for (number, source) in sources.iter().enumerate() {
             let module = place_of(&source.path).map_or_else(Vec::new, |(_, module)| module);
             files.entry(module.clone()).or_insert(number);
-            let mut content = Content { module, ..Content::default() };
+            let mut content = NamesOfFile { module, ..NamesOfFile::default() };
             content.visit_file(&source.syntax);
             contents.push(content);
         }
@@ -157,7 +157,7 @@ impl Modules {
     }
 }
 
-impl Content {
+impl NamesOfFile {
     /// Records the names of an import.
     fn import(&mut self, tree: &UseTree, prefix: &mut Vec<String>, is_passed_on: bool) {
         match tree {
@@ -196,7 +196,7 @@ impl Content {
     }
 }
 
-impl<'ast> Visit<'ast> for Content {
+impl<'ast> Visit<'ast> for NamesOfFile {
     fn visit_item(&mut self, item: &'ast Item) {
         let (attributes, name) = match item {
             Item::Const(item) => (&item.attrs, Some(&item.ident)),
@@ -230,8 +230,8 @@ mod tests {
     use super::*;
 
     fn circles_of(files: &[(&str, &str)]) -> Vec<String> {
-        let parse = |(path, text): &(&str, &str)| Source::parse(Path::new(path), text).expect("Rust");
-        circles(&Sources { files: files.iter().map(parse).collect() }).expect("a count").places
+        let parse = |(path, text): &(&str, &str)| RustFile::parse(Path::new(path), text).expect("Rust");
+        circles(&RustFiles { files: files.iter().map(parse).collect() }).expect("a count").places
     }
 
     #[test]

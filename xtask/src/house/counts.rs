@@ -6,15 +6,15 @@ use anyhow::Result;
 use syn::visit::{self, Visit};
 use syn::{Attribute, Expr, FnArg, Lit, Meta, Signature, Type, VisRestricted};
 
-use super::Found;
-use super::sources::{Source, Sources, is_for_tests};
+use super::CountWithPlaces;
+use super::sources::{RustFile, RustFiles, is_for_tests};
 
 /// Beginnings of doc comments that do not say what the item is.
 const WEAK_OPENINGS: &[&str] = &["What ", "The same ", "As above", "Those that ", "Where "];
 
 /// Finds functions that take a tuple, which is a way around the limit of the number of parameters.
-pub(super) fn tuple_parameters(sources: &Sources) -> Result<Found> {
-    struct Tuples<'s>(&'s Source, Vec<String>);
+pub(super) fn tuple_parameters(sources: &RustFiles) -> Result<CountWithPlaces> {
+    struct Tuples<'s>(&'s RustFile, Vec<String>);
     impl<'ast> Visit<'ast> for Tuples<'_> {
         fn visit_signature(&mut self, signature: &'ast Signature) {
             let is_tuple = |argument: &FnArg| match argument {
@@ -40,9 +40,9 @@ fn without_references(mut ty: &Type) -> &Type {
 }
 
 /// Finds doc comments whose first words are forbidden.
-pub(super) fn weak_openings(sources: &Sources) -> Result<Found> {
+pub(super) fn weak_openings(sources: &RustFiles) -> Result<CountWithPlaces> {
     struct Openings<'s> {
-        source: &'s Source,
+        source: &'s RustFile,
         found: Vec<String>,
     }
     impl Openings<'_> {
@@ -109,7 +109,7 @@ fn attributes_of_item(item: &syn::Item) -> &[Attribute] {
 }
 
 /// Counts `pub(crate)`, `pub(super)` and `pub(in ...)`: the more there are, the thinner are the walls between files.
-pub(super) fn restricted_pub(sources: &Sources) -> Result<Found> {
+pub(super) fn restricted_pub(sources: &RustFiles) -> Result<CountWithPlaces> {
     #[derive(Default)]
     struct Restricted(usize);
     impl<'ast> Visit<'ast> for Restricted {
@@ -120,12 +120,12 @@ pub(super) fn restricted_pub(sources: &Sources) -> Result<Found> {
     let mut restricted = Restricted::default();
     sources.files.iter().for_each(|source| restricted.visit_file(&source.syntax));
     let count = 10_000 * restricted.0 / sources.line_count().max(1);
-    Ok(Found { count, places: Vec::new() })
+    Ok(CountWithPlaces { count, places: Vec::new() })
 }
 
 /// Finds names of types, outside of tests, that several places define.
-pub(super) fn repeated_type_names(sources: &Sources) -> Result<Found> {
-    struct Types<'s>(&'s Source, Vec<(String, String)>);
+pub(super) fn repeated_type_names(sources: &RustFiles) -> Result<CountWithPlaces> {
+    struct Types<'s>(&'s RustFile, Vec<(String, String)>);
     impl<'ast> Visit<'ast> for Types<'_> {
         fn visit_item(&mut self, item: &'ast syn::Item) {
             let name = match item {
@@ -154,11 +154,11 @@ pub(super) fn repeated_type_names(sources: &Sources) -> Result<Found> {
 
 /// Visits each file with a visitor of its own, and collects what they find.
 fn in_each<'s, V: Visit<'s>>(
-    sources: &'s Sources,
-    visitor_of: impl Fn(&'s Source) -> V,
+    sources: &'s RustFiles,
+    visitor_of: impl Fn(&'s RustFile) -> V,
     found: impl Fn(V) -> Vec<String>,
-) -> Found {
-    let visit = |source: &'s Source| {
+) -> CountWithPlaces {
+    let visit = |source: &'s RustFile| {
         let mut visitor = visitor_of(source);
         visitor.visit_file(&source.syntax);
         found(visitor)
@@ -172,8 +172,8 @@ mod tests {
 
     use super::*;
 
-    fn sources(text: &str) -> Sources {
-        Sources { files: vec![Source::parse(Path::new("a/src/lib.rs"), text).expect("Rust")] }
+    fn sources(text: &str) -> RustFiles {
+        RustFiles { files: vec![RustFile::parse(Path::new("a/src/lib.rs"), text).expect("Rust")] }
     }
 
     #[test]

@@ -5,12 +5,12 @@ use std::process::Command;
 use anyhow::{Context as _, Result};
 use toml_edit::DocumentMut;
 
-use super::Found;
-use super::sources::Sources;
+use super::CountWithPlaces;
+use super::sources::RustFiles;
 use crate::workspace;
 
 /// Finds entries of `workspace.dependencies` that no package inherits.
-pub(super) fn unused(_: &Sources) -> Result<Found> {
+pub(super) fn unused(_: &RustFiles) -> Result<CountWithPlaces> {
     let listed = Command::new("git").args(["ls-files", "*Cargo.toml"]).current_dir(workspace()).output()?;
     let (mut shared, mut used) = (Vec::new(), Vec::new());
     for path in String::from_utf8(listed.stdout)?.lines() {

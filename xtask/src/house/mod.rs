@@ -10,24 +10,24 @@ mod sources;
 use anyhow::{Result, ensure};
 
 use crate::steps::say;
-use sources::Sources;
+use sources::RustFiles;
 
 /// Something that is counted.
 struct Check {
     name: &'static str,
     /// Largest count that passes.
     limit: usize,
-    find: fn(&Sources) -> Result<Found>,
+    find: fn(&RustFiles) -> Result<CountWithPlaces>,
 }
 
 /// How much of something there is, and where.
-struct Found {
+struct CountWithPlaces {
     count: usize,
     /// A line for each place; empty if there are too many to list.
     places: Vec<String>,
 }
 
-impl From<Vec<String>> for Found {
+impl From<Vec<String>> for CountWithPlaces {
     fn from(places: Vec<String>) -> Self {
         Self { count: places.len(), places }
     }
@@ -56,10 +56,10 @@ const CHECKS: &[Check] = &[
 /// # Errors
 /// If a count exceeds its limit.
 pub(crate) fn check(lists: bool) -> Result<()> {
-    let sources = Sources::read()?;
+    let sources = RustFiles::read()?;
     let mut exceeded = Vec::new();
     for Check { name, limit, find } in CHECKS {
-        let Found { count, places } = find(&sources)?;
+        let CountWithPlaces { count, places } = find(&sources)?;
         let note = match count.cmp(limit) {
             std::cmp::Ordering::Less => " (please lower the limit)",
             std::cmp::Ordering::Equal => "",

@@ -9,19 +9,19 @@ use syn::{Attribute, Meta};
 use crate::workspace;
 
 /// All Rust files that are part of the repository.
-pub(super) struct Sources {
-    pub files: Vec<Source>,
+pub(super) struct RustFiles {
+    pub files: Vec<RustFile>,
 }
 
 /// A Rust file.
-pub(super) struct Source {
+pub(super) struct RustFile {
     /// Relative to the workspace.
     pub path: PathBuf,
     pub line_count: usize,
     pub syntax: syn::File,
 }
 
-impl Sources {
+impl RustFiles {
     /// Reads and parses the files that git knows.
     ///
     /// # Errors
@@ -30,7 +30,7 @@ impl Sources {
         let listed = Command::new("git").args(["ls-files", "*.rs"]).current_dir(workspace()).output()?;
         ensure!(listed.status.success(), "git ls-files failed");
         let listed = String::from_utf8(listed.stdout)?;
-        let files = listed.lines().map(|path| Source::read(Path::new(path))).collect::<Result<_>>()?;
+        let files = listed.lines().map(|path| RustFile::read(Path::new(path))).collect::<Result<_>>()?;
         Ok(Self { files })
     }
 
@@ -40,7 +40,7 @@ impl Sources {
     }
 }
 
-impl Source {
+impl RustFile {
     fn read(path: &Path) -> Result<Self> {
         let text = std::fs::read_to_string(workspace().join(path));
         let text = text.with_context(|| path.display().to_string())?;

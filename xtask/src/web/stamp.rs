@@ -36,11 +36,11 @@ const SOURCES: [(&str, &[&str]); 9] = [
 const EXCLUDED: [&str; 3] = ["web/src/wasm", "web/viewer/wasm", "web/src/tests"];
 
 /// The stamp of an asset: lines of a name and a value.
-pub(super) struct Stamp {
+pub(super) struct AssetStamp {
     text: String,
 }
 
-impl Stamp {
+impl AssetStamp {
     /// Reads a stamp.
     ///
     /// # Errors

@@ -36,7 +36,7 @@ pub(crate) struct CompareArgs {
         default_value = "strips,models,views,patterns",
         hide_possible_values = true
     )]
-    parts: Vec<Part>,
+    parts: Vec<ComparisonPart>,
     /// Measure only distance against bytes, for streams, levels and other coders: --parts rate
     #[arg(long, conflicts_with = "parts")]
     rate: bool,
@@ -62,7 +62,7 @@ pub(crate) struct CompareArgs {
 
 /// A part of the comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Part {
+pub(crate) enum ComparisonPart {
     /// Stripifiers, on the unsimplified mesh.
     Strips,
     /// Multiresolution models at uniform levels of detail.
@@ -227,8 +227,8 @@ pub(crate) struct StripifierArgs {
 
 impl CompareArgs {
     /// Whether a part is requested.
-    pub(crate) fn has(&self, part: Part) -> bool {
-        if self.rate { part == Part::Rate } else { self.parts.contains(&part) }
+    pub(crate) fn has(&self, part: ComparisonPart) -> bool {
+        if self.rate { part == ComparisonPart::Rate } else { self.parts.contains(&part) }
     }
 
     /// Largest lengths of tunnels.

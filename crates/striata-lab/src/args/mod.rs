@@ -13,7 +13,7 @@ use striata_command::args::ReportArgs;
 #[cfg(feature = "gpu")]
 pub(crate) use self::bench_gpu::BenchGpuArgs;
 pub(crate) use self::caches::CachesArgs;
-pub(crate) use self::compare::{AssetArgs, AssetContender, CompareArgs, ModelArgs, Part, RateArgs};
+pub(crate) use self::compare::{AssetArgs, AssetContender, CompareArgs, ComparisonPart, ModelArgs, RateArgs};
 pub(crate) use self::poses::PosesArgs;
 pub(crate) use self::show::{ShowArgs, Structure};
 
@@ -29,10 +29,10 @@ pub(crate) use self::show::{ShowArgs, Structure};
     disable_help_flag = true,
     max_term_width = 100
 )]
-pub(crate) struct Cli {
+pub(crate) struct LabCli {
     /// The verb to run.
     #[command(subcommand)]
-    pub verb: Verb,
+    pub verb: LabVerb,
     /// Options of the report.
     #[command(flatten)]
     pub report: ReportArgs,
@@ -40,7 +40,7 @@ pub(crate) struct Cli {
 
 /// The verbs.
 #[derive(Debug, Subcommand)]
-pub(crate) enum Verb {
+pub(crate) enum LabVerb {
     /// Compare models, stripifiers and streams on the same meshes
     Compare(Box<CompareArgs>),
     /// Measure levels of skinned and morphing meshes in the poses of their animations
@@ -62,6 +62,6 @@ mod tests {
 
     #[test]
     fn command_line_definition_is_consistent() {
-        Cli::command().debug_assert();
+        LabCli::command().debug_assert();
     }
 }

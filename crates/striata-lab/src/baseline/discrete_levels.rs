@@ -38,12 +38,12 @@ pub enum DiscreteLevelsError {
 pub struct DiscreteLevels {
     step_count: usize,
     /// Finest first, at least one.
-    levels: Vec<Level>,
+    levels: Vec<DiscreteLevel>,
 }
 
 /// One level of the set.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Level {
+struct DiscreteLevel {
     split_count: usize,
     vertex_count: usize,
     strip_count: usize,
@@ -51,7 +51,7 @@ struct Level {
     strips: StripIndices,
 }
 
-impl Level {
+impl DiscreteLevel {
     fn new(mesh: &IndexedMesh, split_count: usize, strips: &StripSet) -> Self {
         let mut out = StripIndices::default();
         let mut strip_count = 0;
@@ -107,7 +107,7 @@ impl DiscreteLevels {
         let mut levels = Vec::new();
         for split_count in split_counts(&refinable.sequence, level_count)? {
             let mesh = replay(refinable, split_count);
-            levels.push(Level::new(&mesh, split_count, &stripify(&mesh)?));
+            levels.push(DiscreteLevel::new(&mesh, split_count, &stripify(&mesh)?));
         }
         Ok(Self { step_count: refinable.sequence.step_count(), levels })
     }
@@ -209,9 +209,9 @@ impl LodModel for DiscreteLevels {
     }
 
     fn bytes(&self) -> Vec<PartBytes> {
-        let table = |level: &Level| size_of_val(level) + size_of_val(&level.strips.group_ranges[..]);
+        let table = |level: &DiscreteLevel| size_of_val(level) + size_of_val(&level.strips.group_ranges[..]);
         vec![
-            PartBytes { name: "strips", bytes: self.levels.iter().map(Level::index_bytes).sum() },
+            PartBytes { name: "strips", bytes: self.levels.iter().map(DiscreteLevel::index_bytes).sum() },
             PartBytes { name: "levels", bytes: self.levels.iter().map(table).sum() },
         ]
     }

@@ -68,7 +68,7 @@ impl OrderedMeshes {
     /// # Panics
     /// If the mesh refers to vertices that the sequence does not have.
     pub fn build(refinable: &RefinableMesh) -> Self {
-        let mut builder = Builder::new(refinable);
+        let mut builder = OrderedMeshesBuilder::new(refinable);
         for step in (0..refinable.sequence.step_count()).rev() {
             builder.collapse(step);
         }
@@ -187,7 +187,7 @@ struct BuiltTriangle {
     triangle: OrderedTriangle,
 }
 
-struct Builder<'r> {
+struct OrderedMeshesBuilder<'r> {
     refinable: &'r RefinableMesh,
     /// The triangles of all levels, in the order in which collapsing the full mesh finds them.
     found: Vec<BuiltTriangle>,
@@ -198,7 +198,7 @@ struct Builder<'r> {
     chains: Vec<u32>,
 }
 
-impl<'r> Builder<'r> {
+impl<'r> OrderedMeshesBuilder<'r> {
     fn new(refinable: &'r RefinableMesh) -> Self {
         let mut builder = Self {
             refinable,

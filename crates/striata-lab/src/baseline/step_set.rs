@@ -21,7 +21,7 @@ pub(super) struct StepSet {
 
 /// The steps to remove and insert to get from one set to another, in a valid order.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Change {
+pub(super) struct StepSetChange {
     /// Finest first.
     pub removed: Vec<u32>,
     /// Coarsest first.
@@ -81,9 +81,9 @@ impl StepSet {
     }
 
     /// The change that leads to the first `split_count` steps.
-    pub(super) fn change_to_level(&self, split_count: usize) -> Change {
+    pub(super) fn change_to_level(&self, split_count: usize) -> StepSetChange {
         let is_in = |&step: &u32| self.has(step);
-        Change {
+        StepSetChange {
             removed: (split_count as u32..self.highest).rev().filter(is_in).collect(),
             inserted: (self.lowest..split_count as u32).filter(|step| !is_in(step)).collect(),
         }
@@ -95,7 +95,7 @@ impl StepSet {
         &mut self,
         wanted: Vec<u32>,
         mut needs_into: impl FnMut(u32, &mut Vec<u32>),
-    ) -> Change {
+    ) -> StepSetChange {
         let (mut waiting, mut found) = (wanted, Vec::new());
         while let Some(step) = waiting.pop() {
             if !std::mem::replace(&mut self.is_wanted[step as usize], true) {
@@ -104,7 +104,7 @@ impl StepSet {
             }
         }
         let is_wanted = &self.is_wanted;
-        let mut change = Change {
+        let mut change = StepSetChange {
             removed: self.steps.iter().copied().filter(|&step| !is_wanted[step as usize]).collect(),
             inserted: found.iter().copied().filter(|&step| !self.has(step)).collect(),
         };

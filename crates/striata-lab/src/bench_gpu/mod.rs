@@ -13,7 +13,7 @@ use std::time::Instant;
 use striata_gpu::{Gpu, GpuOptions};
 
 use self::bench_scene::BenchScene;
-use self::report::{MeshReport, Report};
+use self::report::{GpuMeshReport, GpuReport};
 use self::timings::Timings;
 use crate::args::BenchGpuArgs;
 use striata_command::args::Viewport;
@@ -43,8 +43,8 @@ pub(crate) fn run(args: &BenchGpuArgs, output: &Output) -> Result<(), Failure> {
         let in_input = |failure: Failure| failure.in_file(&input.name);
         let bench = BenchScene::new(&gpu, (&input.name, &mesh), (size, &plan), &mut bar).map_err(in_input)?;
         let timings = Timings::run(&bench, &entries, walk, &mut bar).map_err(in_input)?;
-        meshes.push(MeshReport::new(input.file_name(), &bench, timings));
+        meshes.push(GpuMeshReport::new(input.file_name(), &bench, timings));
     }
-    let report = Report::new(&gpu, args, meshes, started);
+    let report = GpuReport::new(&gpu, args, meshes, started);
     output.data(&report, &report.to_text())
 }

@@ -6,7 +6,7 @@ use serde::Serialize;
 use striata_gpu::{Gpu, wgpu};
 
 use super::bench_scene::BenchScene;
-use super::timings::{Cost, Spread, Timings};
+use super::timings::{TimeSpread, Timings, WayCost};
 use super::ways;
 use crate::args::BenchGpuArgs;
 use crate::pace::Pace;
@@ -15,7 +15,7 @@ use striata_command::output::{Table, format_bytes, format_count, format_duration
 
 /// Results of all meshes on one adapter.
 #[derive(Serialize)]
-pub(super) struct Report {
+pub(super) struct GpuReport {
     adapter: AdapterReport,
     /// Width and height of the picture, in pixels.
     size: [u32; 2],
@@ -23,7 +23,7 @@ pub(super) struct Report {
     frames: u32,
     /// How the level falls on the walk.
     pace: Pace,
-    meshes: Vec<MeshReport>,
+    meshes: Vec<GpuMeshReport>,
     secs: f64,
 }
 
@@ -37,7 +37,7 @@ struct AdapterReport {
 
 /// Results of one mesh.
 #[derive(Serialize)]
-pub(super) struct MeshReport {
+pub(super) struct GpuMeshReport {
     name: String,
     vertex_count: usize,
     triangle_count: usize,
@@ -45,10 +45,10 @@ pub(super) struct MeshReport {
     step_count: usize,
     strip_count: usize,
     rounds: usize,
-    ways: Vec<Cost>,
+    ways: Vec<WayCost>,
 }
 
-impl MeshReport {
+impl GpuMeshReport {
     /// Combines the mesh's counts with the measured times.
     pub(super) fn new(name: String, bench: &BenchScene<'_>, timings: Timings) -> Self {
         let Timings { costs: ways, rounds } = timings;
@@ -94,7 +94,7 @@ impl MeshReport {
             let [update, update_most] = way.update_secs.cells();
             let [recover, _] = way.recover_secs.cells();
             let dash = || "-".to_owned();
-            let [gpu, gpu_most] = way.gpu_secs.map_or_else(|| [dash(), dash()], Spread::cells);
+            let [gpu, gpu_most] = way.gpu_secs.map_or_else(|| [dash(), dash()], TimeSpread::cells);
             let sent =
                 if way.is_resident { dash() } else { format_bytes(way.uploaded_bytes.round() as usize) };
             table.row(vec![
@@ -116,9 +116,9 @@ impl MeshReport {
     }
 }
 
-impl Report {
+impl GpuReport {
     /// Collects the results of a whole run.
-    pub(super) fn new(gpu: &Gpu, args: &BenchGpuArgs, meshes: Vec<MeshReport>, started: Instant) -> Self {
+    pub(super) fn new(gpu: &Gpu, args: &BenchGpuArgs, meshes: Vec<GpuMeshReport>, started: Instant) -> Self {
         let info = gpu.info();
         let Viewport(size) = args.size;
         let adapter = AdapterReport {
@@ -161,7 +161,7 @@ impl Report {
     }
 }
 
-impl Spread {
+impl TimeSpread {
     /// Both values in milliseconds.
     fn cells(self) -> [String; 2] {
         [self.median, self.p95].map(|secs| format!("{:.3}", secs * 1e3))

@@ -10,7 +10,7 @@ use serde::Serialize;
 use striata_gpu::FrameClock;
 
 use super::bench_scene::BenchScene;
-use super::ways::{Entry, Way};
+use super::ways::{Way, WayEntry};
 use crate::pace::Pace;
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
@@ -26,7 +26,7 @@ const WARM_UP_FRAMES: usize = 8;
 
 /// Times of one frame, in seconds.
 #[derive(Clone, Copy, Debug)]
-struct Frame {
+struct FrameTimes {
     /// CPU time to move the model to the level: recovery, as the papers call it.
     recover: f64,
     /// CPU time to move to the next level: recovery, making the indices and handing them over.
@@ -39,7 +39,7 @@ struct Frame {
 
 /// Median and 95th percentile over all frames.
 #[derive(Clone, Copy, Debug, Serialize)]
-pub(super) struct Spread {
+pub(super) struct TimeSpread {
     /// Median, in seconds.
     pub median: f64,
     /// 95th percentile, in seconds.
@@ -48,15 +48,15 @@ pub(super) struct Spread {
 
 /// Measured cost of one way.
 #[derive(Debug, Serialize)]
-pub(super) struct Cost {
+pub(super) struct WayCost {
     pub name: &'static str,
     /// Whether all levels stay on the GPU, so that nothing is computed or uploaded.
     pub is_resident: bool,
-    pub recover_secs: Spread,
-    pub update_secs: Spread,
+    pub recover_secs: TimeSpread,
+    pub update_secs: TimeSpread,
     /// `None` if the adapter has no time stamps.
-    pub gpu_secs: Option<Spread>,
-    pub frame_secs: Spread,
+    pub gpu_secs: Option<TimeSpread>,
+    pub frame_secs: TimeSpread,
     /// Mean over all frames.
     pub mean_frame_secs: f64,
     /// Share of the frames' time that recovery takes, `%rec` in \[RCRG06\]; the rest is `%drw`.
@@ -73,15 +73,15 @@ pub(super) struct Cost {
 
 /// Result of timing all ways.
 pub(super) struct Timings {
-    pub costs: Vec<Cost>,
+    pub costs: Vec<WayCost>,
     pub rounds: usize,
 }
 
 /// A way and the times of its frames.
 struct TimedWay<'s> {
-    entry: &'static Entry,
+    entry: &'static WayEntry,
     way: Box<dyn Way + 's>,
-    frames: Vec<Frame>,
+    frames: Vec<FrameTimes>,
     uploaded_bytes: f64,
     index_count: f64,
 }
@@ -100,7 +100,7 @@ impl Timings {
     /// If a way does not fit onto the GPU, or the GPU fails.
     pub(super) fn run(
         bench: &BenchScene<'_>,
-        entries: &[&'static Entry],
+        entries: &[&'static WayEntry],
         (pace, frames): (Pace, usize),
         bar: &mut Bar,
     ) -> Result<Self, Failure> {
@@ -128,10 +128,10 @@ impl Timings {
 }
 
 impl<'s> TimedWay<'s> {
-    fn new(entry: &'static Entry, bench: &'s BenchScene<'_>, levels: &[usize]) -> Result<Self, Failure> {
+    fn new(entry: &'static WayEntry, bench: &'s BenchScene<'_>, levels: &[usize]) -> Result<Self, Failure> {
         let way = entry.build(bench, levels)?;
         let unmeasured =
-            Frame { recover: f64::INFINITY, update: f64::INFINITY, gpu: None, whole: f64::INFINITY };
+            FrameTimes { recover: f64::INFINITY, update: f64::INFINITY, gpu: None, whole: f64::INFINITY };
         let frames = vec![unmeasured; levels.len()];
         Ok(Self { entry, way, frames, uploaded_bytes: 0.0, index_count: 0.0 })
     }
@@ -174,7 +174,7 @@ impl<'s> TimedWay<'s> {
         bench: &BenchScene<'_>,
         clock: Option<&FrameClock>,
         split_count: usize,
-    ) -> Result<Frame, Failure> {
+    ) -> Result<FrameTimes, Failure> {
         let BenchScene { gpu, canvas, painter, scene, vertices, look, .. } = bench;
         let started = Instant::now();
         self.way.move_to(split_count);
@@ -191,15 +191,15 @@ impl<'s> TimedWay<'s> {
         gpu.queue().submit([encoder.finish()]);
         gpu.wait()?;
         let whole = started.elapsed().as_secs_f64();
-        Ok(Frame { recover, update, gpu: clock.map(|clock| clock.secs(gpu)).transpose()?, whole })
+        Ok(FrameTimes { recover, update, gpu: clock.map(|clock| clock.secs(gpu)).transpose()?, whole })
     }
 
-    fn cost(&self) -> Cost {
-        let spread = |value: fn(&Frame) -> f64| Spread::of(self.frames.iter().map(value));
+    fn cost(&self) -> WayCost {
+        let spread = |value: fn(&FrameTimes) -> f64| TimeSpread::of(self.frames.iter().map(value));
         let gpu_secs = self.frames.iter().map(|frame| frame.gpu).collect::<Option<Vec<f64>>>();
-        let sum = |value: fn(&Frame) -> f64| self.frames.iter().map(value).sum::<f64>();
+        let sum = |value: fn(&FrameTimes) -> f64| self.frames.iter().map(value).sum::<f64>();
         let whole = sum(|frame| frame.whole);
-        Cost {
+        WayCost {
             mean_frame_secs: whole / self.frames.len().max(1) as f64,
             recover_share: sum(|frame| frame.recover) / whole,
             frames_per_sec: frames_per_sec_by_third(&self.frames),
@@ -207,7 +207,7 @@ impl<'s> TimedWay<'s> {
             name: self.entry.name,
             is_resident: self.entry.is_resident,
             update_secs: spread(|frame| frame.update),
-            gpu_secs: gpu_secs.map(|secs| Spread::of(secs.into_iter())),
+            gpu_secs: gpu_secs.map(|secs| TimeSpread::of(secs.into_iter())),
             frame_secs: spread(|frame| frame.whole),
             uploaded_bytes: self.uploaded_bytes,
             index_count: self.index_count,
@@ -217,7 +217,7 @@ impl<'s> TimedWay<'s> {
 }
 
 /// Frames per second in three thirds of a walk away, of which the way back is the mirror image.
-fn frames_per_sec_by_third(frames: &[Frame]) -> [f64; 3] {
+fn frames_per_sec_by_third(frames: &[FrameTimes]) -> [f64; 3] {
     let distance = |at: usize| at.min(frames.len() - 1 - at);
     let half = frames.len().div_ceil(2);
     [0, 1, 2].map(|third| {
@@ -231,7 +231,7 @@ fn frames_per_sec_by_third(frames: &[Frame]) -> [f64; 3] {
     })
 }
 
-impl Frame {
+impl FrameTimes {
     fn keep_fastest(&mut self, other: Self) {
         self.recover = self.recover.min(other.recover);
         self.update = self.update.min(other.update);
@@ -243,7 +243,7 @@ impl Frame {
     }
 }
 
-impl Spread {
+impl TimeSpread {
     fn of(values: impl Iterator<Item = f64>) -> Self {
         let mut values: Vec<f64> = values.collect();
         values.sort_by(f64::total_cmp);
@@ -272,7 +272,7 @@ mod tests {
 
     #[test]
     fn thirds_of_the_way_back_are_those_of_the_way_away() {
-        let frame = |whole| Frame { recover: 0.0, update: 0.0, gpu: None, whole };
+        let frame = |whole| FrameTimes { recover: 0.0, update: 0.0, gpu: None, whole };
         let frames = [0.5, 0.5, 0.25, 0.25, 0.125, 0.125, 0.125, 0.25, 0.25, 0.5, 0.5].map(frame);
         assert_eq!(frames_per_sec_by_third(&frames), [2.0, 4.0, 8.0]);
         assert_eq!(frames_per_sec_by_third(&frames[..1]), [2.0, 0.0, 0.0]);
@@ -280,9 +280,9 @@ mod tests {
 
     #[test]
     fn spread_values_come_from_the_list() {
-        let spread = Spread::of((1..=100).rev().map(f64::from));
+        let spread = TimeSpread::of((1..=100).rev().map(f64::from));
         assert_eq!((spread.median, spread.p95), (50.0, 95.0));
-        let one = Spread::of(std::iter::once(3.0));
+        let one = TimeSpread::of(std::iter::once(3.0));
         assert_eq!((one.median, one.p95), (3.0, 3.0));
     }
 }

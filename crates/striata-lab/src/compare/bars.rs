@@ -55,7 +55,7 @@ impl BarChart {
         let (width, height) = (SIZE.0 as i32, SIZE.1 as i32);
         let (right, bottom) = (width - VALUES_PX, height - AXIS_PX);
         let scale = Scale::linear(self.bars.iter().flat_map(|bars| bars.values.iter().copied()).chain([0.0]));
-        let across = |value: f64| scale.pixel(value, (NAMES_PX, right));
+        let across = |value: f64| scale.pixel(value, NAMES_PX, right);
         let text = |color: RGBColor, side: HPos| {
             (FONT, FONT_PX).into_font().color(&color).pos(Pos::new(side, VPos::Center))
         };

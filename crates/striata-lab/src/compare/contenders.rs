@@ -171,7 +171,7 @@ pub(super) trait Contender {
     fn paper_bytes(&self, accounting: Accounting) -> usize;
 }
 
-struct BuiltModel<M: LodModel> {
+struct BuiltContender<M: LodModel> {
     model: M,
     state: M::State,
     build_secs: f64,
@@ -200,7 +200,7 @@ where
         (model, build_secs, spent) = (again, build_secs.min(secs), spent + secs);
     }
     let state = model.new_state();
-    Ok(Box::new(BuiltModel { model, state, build_secs }))
+    Ok(Box::new(BuiltContender { model, state, build_secs }))
 }
 
 /// Maximum number of builds per model; the fastest one is reported.
@@ -209,7 +209,7 @@ const BUILD_COUNT: usize = 3;
 /// Seconds after which a model is not built again.
 const BUILD_SECS: f64 = 1.0;
 
-impl<M: PaperBytes> Contender for BuiltModel<M> {
+impl<M: PaperBytes> Contender for BuiltContender<M> {
     fn build_secs(&self) -> f64 {
         self.build_secs
     }

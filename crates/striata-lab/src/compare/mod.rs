@@ -44,24 +44,24 @@ use self::rate::RateReport;
 use self::stripifiers::StripifierRow;
 use self::tunnels::TunnelRow;
 use self::views::ViewsReport;
-use crate::args::{CompareArgs, Part};
+use crate::args::{CompareArgs, ComparisonPart};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Bar, Output, Table, format_duration, format_noun_count, to_stdout};
 use striata_command::save::is_stdout;
 
 #[derive(Serialize)]
-struct Report {
+struct ComparisonReport {
     command: String,
     machine: String,
-    meshes: Vec<MeshReport>,
+    meshes: Vec<MeshComparison>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     assets_summary: Vec<assets::Summary>,
     secs: f64,
 }
 
 #[derive(Serialize)]
-struct MeshReport {
+struct MeshComparison {
     name: String,
     vertex_count: usize,
     triangle_count: usize,
@@ -101,12 +101,13 @@ pub(crate) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
     contenders::entries(&args.models.names())?;
     // Open all inputs first, so that a missing file is reported before minutes of work.
     let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::open(path)).collect::<Result<_, _>>()?;
-    let meshes: Vec<MeshReport> =
+    let meshes: Vec<MeshComparison> =
         inputs.iter().map(|input| measure(input, args, output)).collect::<Result<_, _>>()?;
     let of_assets: Vec<&AssetsReport> = meshes.iter().filter_map(|mesh| mesh.assets.as_ref()).collect();
     let assets_summary = assets::summarize(&of_assets);
     let (command, machine) = (command_line(std::env::args().skip(1)), machine());
-    let report = Report { command, machine, meshes, assets_summary, secs: started.elapsed().as_secs_f64() };
+    let report =
+        ComparisonReport { command, machine, meshes, assets_summary, secs: started.elapsed().as_secs_f64() };
     if let Some(path) = &args.html {
         let html = report.to_page()?;
         if is_stdout(path) {
@@ -119,7 +120,7 @@ pub(crate) fn run(args: &CompareArgs, output: &Output) -> Result<(), Failure> {
     if page_to_stdout { output.summary(&report, &text) } else { output.data(&report, &text) }
 }
 
-fn measure(input: &Input, args: &CompareArgs, output: &Output) -> Result<MeshReport, Failure> {
+fn measure(input: &Input, args: &CompareArgs, output: &Output) -> Result<MeshComparison, Failure> {
     let mesh = input.mesh(output)?;
     let in_input = |failure: Failure| failure.in_file(&input.name);
     let say = |what: &str| output.say(&format!("{}: {what}", input.name));
@@ -134,24 +135,30 @@ fn measure_mesh(
     args: &CompareArgs,
     bar: &mut Bar,
     say: &dyn Fn(&str),
-) -> Result<MeshReport, Failure> {
+) -> Result<MeshComparison, Failure> {
     let mesh = if args.strips.weld { weld(&mesh)?.mesh } else { mesh };
     let component_count = mesh.component_count()?;
-    let strips = args.has(Part::Strips).then(|| measure_strips(&mesh, args, bar, say)).transpose()?;
-    let needs_sequence = [Part::Models, Part::Views, Part::Patterns].into_iter().any(|part| args.has(part));
+    let strips =
+        args.has(ComparisonPart::Strips).then(|| measure_strips(&mesh, args, bar, say)).transpose()?;
+    let needs_sequence = [ComparisonPart::Models, ComparisonPart::Views, ComparisonPart::Patterns]
+        .into_iter()
+        .any(|part| args.has(part));
     let sequenced = needs_sequence.then(|| Sequenced::build(&mesh, args.certify, bar, say)).transpose()?;
     let sequenced_for = |part| sequenced.as_ref().filter(|_| args.has(part));
-    let models = sequenced_for(Part::Models);
+    let models = sequenced_for(ComparisonPart::Models);
     let models = models.map(|sequenced| models::measure(sequenced, &args.models, bar, say)).transpose()?;
-    let views = sequenced_for(Part::Views);
+    let views = sequenced_for(ComparisonPart::Views);
     let views = views.map(|sequenced| views::measure(&sequenced.refinable, bar, say)).transpose()?;
-    let patterns = sequenced_for(Part::Patterns)
-        .map(|sequenced| patterns::measure(&mesh, (&sequenced.refinable, sequenced.secs), bar, say));
+    let patterns = sequenced_for(ComparisonPart::Patterns)
+        .map(|sequenced| patterns::measure(&mesh, &sequenced.refinable, sequenced.secs, bar, say));
     let patterns = patterns.transpose()?;
-    let rate = args.has(Part::Rate).then(|| rate::measure(&mesh, &args.rates, bar, say)).transpose()?;
-    let assets =
-        args.has(Part::Assets).then(|| assets::measure(&mesh, &args.assets, bar, say)).transpose()?;
-    Ok(MeshReport {
+    let rate =
+        args.has(ComparisonPart::Rate).then(|| rate::measure(&mesh, &args.rates, bar, say)).transpose()?;
+    let assets = args
+        .has(ComparisonPart::Assets)
+        .then(|| assets::measure(&mesh, &args.assets, bar, say))
+        .transpose()?;
+    Ok(MeshComparison {
         name,
         vertex_count: mesh.vertex_count(),
         triangle_count: mesh.triangle_count(),
@@ -181,7 +188,7 @@ fn measure_strips(
     Ok(StripsReport { strip_count_bound: strip_count_bound(mesh), tunnel_lengths, stripifiers })
 }
 
-impl Report {
+impl ComparisonReport {
     fn to_text(&self) -> String {
         let mut text = String::new();
         for mesh in &self.meshes {
@@ -197,7 +204,7 @@ impl Report {
 
     fn to_page(&self) -> Result<String, Failure> {
         let mut parts: Vec<MeshPart> =
-            self.meshes.iter().map(MeshReport::to_part).collect::<Result<_, Failure>>()?;
+            self.meshes.iter().map(MeshComparison::to_part).collect::<Result<_, Failure>>()?;
         let views: Vec<&ViewsReport> = self.meshes.iter().filter_map(|mesh| mesh.views.as_ref()).collect();
         parts.extend(views::by_size(&views)?);
         parts.extend(assets::summary_part(&self.assets_summary));
@@ -205,7 +212,7 @@ impl Report {
     }
 }
 
-impl MeshReport {
+impl MeshComparison {
     fn summary(&self) -> String {
         // The bound does not apply to `cheapest`, which also joins strips at vertices.
         let bound = self.strips.as_ref().map_or_else(String::new, |strips| {

@@ -99,7 +99,7 @@ fn space_and_time(report: &ModelsReport) -> Chart {
 }
 
 fn walk_blocks(report: &ModelsReport, pace: Pace) -> Result<Vec<Block>, Failure> {
-    type Values = fn(&walks::Series) -> Vec<f64>;
+    type Values = fn(&walks::WalkSeries) -> Vec<f64>;
     let chart = |y_title: &'static str, is_log: bool, only_strips: bool, values: Values| {
         let series: Vec<Series> = report
             .rows

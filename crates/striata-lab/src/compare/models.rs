@@ -39,12 +39,12 @@ pub(super) struct ModelsReport {
     pub rows: Vec<ModelRow>,
     /// Models whose published form cannot represent the mesh.
     #[serde(rename = "models_refused")]
-    refused: Vec<Refusal>,
+    refused: Vec<RefusedModel>,
 }
 
 /// A model whose published form cannot represent the mesh.
 #[derive(Clone, Debug, Serialize)]
-struct Refusal {
+struct RefusedModel {
     name: &'static str,
     cannot_be_built: String,
 }
@@ -173,7 +173,7 @@ pub(super) fn measure(
         match entry.build(inputs) {
             Ok(contender) => timed_models.push(TimedModel::new(entry, contender, step_count, frames)),
             Err(BuildFailure::Unsupported(why)) => {
-                refused.push(Refusal { name: entry.name, cannot_be_built: why })
+                refused.push(RefusedModel { name: entry.name, cannot_be_built: why })
             }
             Err(BuildFailure::Failed(failure)) => return Err(failure),
         }
@@ -280,8 +280,9 @@ impl ModelRow {
 impl ModelsReport {
     /// Sentences naming the models that cannot be built, with reasons; empty if there are none.
     pub(super) fn refusals(&self) -> String {
-        let why =
-            |refusal: &Refusal| format!(" {} cannot be built: {}.", refusal.name, refusal.cannot_be_built);
+        let why = |refusal: &RefusedModel| {
+            format!(" {} cannot be built: {}.", refusal.name, refusal.cannot_be_built)
+        };
         self.refused.iter().map(why).collect()
     }
 }

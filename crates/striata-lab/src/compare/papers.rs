@@ -32,16 +32,16 @@ pub(super) struct PaperRow {
 }
 
 /// A published figure.
-struct Published {
+struct PublishedFigure {
     source: &'static str,
     what: &'static str,
     theirs: f64,
-    figure: Figure,
+    figure: FigureKind,
 }
 
 /// The kind of a published figure.
 #[derive(Clone, Copy)]
-enum Figure {
+enum FigureKind {
     Vertices,
     Triangles,
     Strips,
@@ -55,8 +55,13 @@ enum Figure {
     BuildSecs(&'static str),
 }
 
-const fn published(source: &'static str, what: &'static str, theirs: f64, figure: Figure) -> Published {
-    Published { source, what, theirs, figure }
+const fn published(
+    source: &'static str,
+    what: &'static str,
+    theirs: f64,
+    figure: FigureKind,
+) -> PublishedFigure {
+    PublishedFigure { source, what, theirs, figure }
 }
 
 const BRR02_1: &str = "[BRR02] table 1";
@@ -72,48 +77,48 @@ const ORIGINAL: &str = "lodstrips-original";
 const EFFICIENT: &str = "lodstrips-published";
 
 /// 5,804 triangles.
-const COW: [Published; 8] = [
-    published(BRR02_1, "vertices", 2904.0, Figure::Vertices),
-    published(BRR02_1, "triangles", 5804.0, Figure::Triangles),
-    published(BRR02_1, "strips", 136.0, Figure::Strips),
-    published(BRR02_2, "MTS, storage", 0.286, Figure::ShortMegabytes(MTS)),
-    published(BRR02_2, "PM, storage", 0.256, Figure::ShortMegabytes(PM)),
-    published(BRR02_2, "MTS, construction", 31.0, Figure::BuildSecs(MTS)),
-    published(RCRG06_2, "vertices and strips, storage", 0.13, Figure::PlainMegabytes),
-    published(RCRG06_2, "efficient LodStrips, storage", 0.31, Figure::Megabytes(EFFICIENT)),
+const COW: [PublishedFigure; 8] = [
+    published(BRR02_1, "vertices", 2904.0, FigureKind::Vertices),
+    published(BRR02_1, "triangles", 5804.0, FigureKind::Triangles),
+    published(BRR02_1, "strips", 136.0, FigureKind::Strips),
+    published(BRR02_2, "MTS, storage", 0.286, FigureKind::ShortMegabytes(MTS)),
+    published(BRR02_2, "PM, storage", 0.256, FigureKind::ShortMegabytes(PM)),
+    published(BRR02_2, "MTS, construction", 31.0, FigureKind::BuildSecs(MTS)),
+    published(RCRG06_2, "vertices and strips, storage", 0.13, FigureKind::PlainMegabytes),
+    published(RCRG06_2, "efficient LodStrips, storage", 0.31, FigureKind::Megabytes(EFFICIENT)),
 ];
 
 /// 30,624 triangles.
-const SPHERE: [Published; 6] = [
-    published(BRR02_1, "vertices", 15_314.0, Figure::Vertices),
-    published(BRR02_1, "triangles", 30_624.0, Figure::Triangles),
-    published(BRR02_1, "strips", 173.0, Figure::Strips),
-    published(BRR02_2, "MTS, storage", 2.145, Figure::ShortMegabytes(MTS)),
-    published(BRR02_2, "PM, storage", 1.318, Figure::ShortMegabytes(PM)),
-    published(BRR02_2, "MTS, construction", 5804.0, Figure::BuildSecs(MTS)),
+const SPHERE: [PublishedFigure; 6] = [
+    published(BRR02_1, "vertices", 15_314.0, FigureKind::Vertices),
+    published(BRR02_1, "triangles", 30_624.0, FigureKind::Triangles),
+    published(BRR02_1, "strips", 173.0, FigureKind::Strips),
+    published(BRR02_2, "MTS, storage", 2.145, FigureKind::ShortMegabytes(MTS)),
+    published(BRR02_2, "PM, storage", 1.318, FigureKind::ShortMegabytes(PM)),
+    published(BRR02_2, "MTS, construction", 5804.0, FigureKind::BuildSecs(MTS)),
 ];
 
 /// 69,451 triangles.
-const BUNNY: [Published; 19] = [
-    published(BRR02_1, "vertices", 34_834.0, Figure::Vertices),
-    published(BRR02_1, "triangles", 69_451.0, Figure::Triangles),
-    published(BRR02_1, "strips", 1229.0, Figure::Strips),
-    published(BRR02_2, "MTS, storage", 5.301, Figure::ShortMegabytes(MTS)),
-    published(BRR02_2, "PM, storage", 2.993, Figure::ShortMegabytes(PM)),
-    published(BRR02_2, "MTS, construction", 11_946.0, Figure::BuildSecs(MTS)),
-    published(RCRG06_1, "vertices and strips, storage", 1.54, Figure::PlainMegabytes),
-    published(RCRG06_1, "Skip Strips, storage", 4.36, Figure::Megabytes(SKIP_STRIPS)),
-    published(RCRG06_1, "Skip Strips, ratio", 2.83, Figure::Ratio(SKIP_STRIPS)),
-    published(RCRG06_1, "Skip Strips, rendering", 3.56, Figure::RenderMillis(SKIP_STRIPS)),
-    published(RCRG06_1, "MTS, storage", 7.55, Figure::Megabytes(MTS)),
-    published(RCRG06_1, "MTS, ratio", 4.90, Figure::Ratio(MTS)),
-    published(RCRG06_1, "MTS, rendering", 4.37, Figure::RenderMillis(MTS)),
-    published(RCRG06_1, "LodStrips, storage", 4.30, Figure::Megabytes(ORIGINAL)),
-    published(RCRG06_1, "LodStrips, ratio", 2.79, Figure::Ratio(ORIGINAL)),
-    published(RCRG06_1, "LodStrips, rendering", 2.43, Figure::RenderMillis(ORIGINAL)),
-    published(RCRG06_1, "efficient LodStrips, storage", 3.20, Figure::Megabytes(EFFICIENT)),
-    published(RCRG06_1, "efficient LodStrips, ratio", 2.08, Figure::Ratio(EFFICIENT)),
-    published(RCRG06_1, "efficient LodStrips, rendering", 2.07, Figure::RenderMillis(EFFICIENT)),
+const BUNNY: [PublishedFigure; 19] = [
+    published(BRR02_1, "vertices", 34_834.0, FigureKind::Vertices),
+    published(BRR02_1, "triangles", 69_451.0, FigureKind::Triangles),
+    published(BRR02_1, "strips", 1229.0, FigureKind::Strips),
+    published(BRR02_2, "MTS, storage", 5.301, FigureKind::ShortMegabytes(MTS)),
+    published(BRR02_2, "PM, storage", 2.993, FigureKind::ShortMegabytes(PM)),
+    published(BRR02_2, "MTS, construction", 11_946.0, FigureKind::BuildSecs(MTS)),
+    published(RCRG06_1, "vertices and strips, storage", 1.54, FigureKind::PlainMegabytes),
+    published(RCRG06_1, "Skip Strips, storage", 4.36, FigureKind::Megabytes(SKIP_STRIPS)),
+    published(RCRG06_1, "Skip Strips, ratio", 2.83, FigureKind::Ratio(SKIP_STRIPS)),
+    published(RCRG06_1, "Skip Strips, rendering", 3.56, FigureKind::RenderMillis(SKIP_STRIPS)),
+    published(RCRG06_1, "MTS, storage", 7.55, FigureKind::Megabytes(MTS)),
+    published(RCRG06_1, "MTS, ratio", 4.90, FigureKind::Ratio(MTS)),
+    published(RCRG06_1, "MTS, rendering", 4.37, FigureKind::RenderMillis(MTS)),
+    published(RCRG06_1, "LodStrips, storage", 4.30, FigureKind::Megabytes(ORIGINAL)),
+    published(RCRG06_1, "LodStrips, ratio", 2.79, FigureKind::Ratio(ORIGINAL)),
+    published(RCRG06_1, "LodStrips, rendering", 2.43, FigureKind::RenderMillis(ORIGINAL)),
+    published(RCRG06_1, "efficient LodStrips, storage", 3.20, FigureKind::Megabytes(EFFICIENT)),
+    published(RCRG06_1, "efficient LodStrips, ratio", 2.08, FigureKind::Ratio(EFFICIENT)),
+    published(RCRG06_1, "efficient LodStrips, rendering", 2.07, FigureKind::RenderMillis(EFFICIENT)),
 ];
 
 /// Memory of fans in \[Cor01\] in 10^6 bytes, for a mesh with this number of triangles; `None` if it was
@@ -134,7 +139,7 @@ pub(super) const KG98_OVERLAPS: f64 = 2.5;
 pub(super) const KG98_SEQUENTIAL_BITS: u32 = 44;
 
 /// The figures published for a mesh with this number of triangles.
-fn published_about(triangle_count: usize) -> &'static [Published] {
+fn published_about(triangle_count: usize) -> &'static [PublishedFigure] {
     match triangle_count {
         5_804 => &COW,
         30_624 => &SPHERE,
@@ -148,7 +153,7 @@ pub(super) fn compare(report: &ModelsReport) -> Vec<PaperRow> {
     published_about(report.basis.triangle_count).iter().map(|figure| figure.compare(report)).collect()
 }
 
-impl Published {
+impl PublishedFigure {
     fn compare(&self, report: &ModelsReport) -> PaperRow {
         let basis = &report.basis;
         let of_model = |name: &str, value: &dyn Fn(&ModelRow) -> f64| {
@@ -156,33 +161,33 @@ impl Published {
         };
         let megabytes = |bytes: usize| bytes as f64 / 1e6;
         let (unit, of, ours, ours_as_stored) = match self.figure {
-            Figure::Vertices => ("", "the mesh", Some(basis.vertex_count as f64), None),
-            Figure::Triangles => ("", "the mesh", Some(basis.triangle_count as f64), None),
-            Figure::Strips => ("", "the strips", Some(basis.strips.strip_count as f64), None),
-            Figure::PlainMegabytes => ("MB", "the strips", Some(megabytes(basis.plain_bytes)), None),
-            Figure::Megabytes(name) => (
+            FigureKind::Vertices => ("", "the mesh", Some(basis.vertex_count as f64), None),
+            FigureKind::Triangles => ("", "the mesh", Some(basis.triangle_count as f64), None),
+            FigureKind::Strips => ("", "the strips", Some(basis.strips.strip_count as f64), None),
+            FigureKind::PlainMegabytes => ("MB", "the strips", Some(megabytes(basis.plain_bytes)), None),
+            FigureKind::Megabytes(name) => (
                 "MB",
                 name,
                 of_model(name, &|row| megabytes(row.paper_bytes)),
                 of_model(name, &|row| megabytes(row.total_bytes)),
             ),
-            Figure::ShortMegabytes(name) => (
+            FigureKind::ShortMegabytes(name) => (
                 "MB",
                 name,
                 of_model(name, &|row| megabytes(row.short_paper_bytes)),
                 of_model(name, &|row| megabytes(row.total_bytes)),
             ),
-            Figure::Ratio(name) => (
+            FigureKind::Ratio(name) => (
                 "x plain",
                 name,
                 of_model(name, &|row| row.paper_ratio_to_plain),
                 of_model(name, &|row| row.ratio_to_plain),
             ),
-            Figure::RenderMillis(name) => {
+            FigureKind::RenderMillis(name) => {
                 let millis = |row: &ModelRow| row.walk(Pace::Linear).extract_and_send_secs * 1e3;
                 ("ms", name, of_model(name, &millis), None)
             }
-            Figure::BuildSecs(name) => {
+            FigureKind::BuildSecs(name) => {
                 let before = basis.sequence_secs + basis.strips.stripify_secs;
                 ("s", name, of_model(name, &|row| before + row.build_secs), None)
             }

@@ -58,7 +58,7 @@ impl Scale {
     }
 
     /// The pixel of a value on an axis between two pixels.
-    pub(super) fn pixel(&self, value: f64, (first, last): (i32, i32)) -> i32 {
+    pub(super) fn pixel(&self, value: f64, first: i32, last: i32) -> i32 {
         first + (self.share(value) * f64::from(last - first)).round() as i32
     }
 
@@ -103,7 +103,7 @@ impl Ranged for Scale {
     type ValueType = f64;
 
     fn map(&self, &value: &f64, ends: (i32, i32)) -> i32 {
-        self.pixel(value, ends)
+        self.pixel(value, ends.0, ends.1)
     }
 
     fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {

@@ -16,7 +16,7 @@ const LAP_COUNT: usize = 32;
 
 /// The steps to sweep, and the fastest times of each lap.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Sweep {
+pub(super) struct StepSweep {
     laps: Vec<Lap>,
     /// Whether each lap begins where the previous one ends.
     is_whole: bool,
@@ -29,7 +29,7 @@ struct Lap {
     up_secs: f64,
 }
 
-impl Sweep {
+impl StepSweep {
     /// Creates a sweep with as many steps as the model can do in the time limit; it is not run yet.
     pub(super) fn new(contender: &mut dyn Contender, step_count: usize) -> Self {
         const TRIAL_SECS: f64 = 0.002;
@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn empty_sweep_has_no_time_per_step() {
-        assert_eq!(Sweep::default().ns_per_step(), None);
-        assert_eq!(Sweep::over(vec![0..3, 5..9], false).step_count(), 7);
+        assert_eq!(StepSweep::default().ns_per_step(), None);
+        assert_eq!(StepSweep::over(vec![0..3, 5..9], false).step_count(), 7);
     }
 }

@@ -9,8 +9,8 @@ use std::time::Instant;
 use striata::mesh::Random;
 
 use super::contenders::{Contender, Entry};
-use super::sweep::Sweep;
-use super::walks::{Walk, mean};
+use super::sweep::StepSweep;
+use super::walks::{TimedWalk, mean};
 use crate::pace::Pace;
 
 /// Maximum number of rounds.
@@ -31,9 +31,9 @@ pub(super) struct TimedModel {
     pub entry: &'static Entry,
     /// The model.
     pub contender: Box<dyn Contender>,
-    sweep: Sweep,
+    sweep: StepSweep,
     jump_secs: Vec<f64>,
-    walks: Vec<Walk>,
+    walks: Vec<TimedWalk>,
 }
 
 impl TimedModel {
@@ -44,9 +44,12 @@ impl TimedModel {
         step_count: usize,
         frames: usize,
     ) -> Self {
-        let sweep =
-            if entry.has_few_levels { Sweep::default() } else { Sweep::new(&mut *contender, step_count) };
-        let mut walks = Pace::ALL.map(|pace| Walk::new(pace, step_count, frames)).to_vec();
+        let sweep = if entry.has_few_levels {
+            StepSweep::default()
+        } else {
+            StepSweep::new(&mut *contender, step_count)
+        };
+        let mut walks = Pace::ALL.map(|pace| TimedWalk::new(pace, step_count, frames)).to_vec();
         walks.iter_mut().for_each(|walk| walk.count_draws(&mut *contender));
         let jump_secs = vec![f64::INFINITY; JUMP_COUNT];
         Self { entry, contender, sweep, jump_secs, walks }
@@ -65,7 +68,7 @@ impl TimedModel {
     }
 
     /// The times of its sweep.
-    pub(super) fn sweep(&self) -> &Sweep {
+    pub(super) fn sweep(&self) -> &StepSweep {
         &self.sweep
     }
 
@@ -75,7 +78,7 @@ impl TimedModel {
     }
 
     /// The times of its walks, in the order of [`Pace::ALL`].
-    pub(super) fn walks(&self) -> &[Walk] {
+    pub(super) fn walks(&self) -> &[TimedWalk] {
         &self.walks
     }
 }

@@ -43,7 +43,7 @@ struct RunResult {
 }
 
 impl TunnelRow {
-    fn new((search, max_length): (Tunneling, u32), runs: &[RunResult]) -> Self {
+    fn new(search: Tunneling, max_length: u32, runs: &[RunResult]) -> Self {
         let counts: Vec<f64> = runs.iter().map(|run| run.strip_count as f64).collect();
         let secs: Vec<f64> = runs.iter().map(|run| run.secs).collect();
         let (counts, secs) = (Spread::of(&counts), Spread::of(&secs));
@@ -79,7 +79,7 @@ pub(super) fn measure(
         .collect();
     let results = results_of(mesh, &runs, show)?;
     let rows = settings.iter().zip(results.chunks(seeds.max(1) as usize));
-    Ok(rows.map(|(&setting, results)| TunnelRow::new(setting, results)).collect())
+    Ok(rows.map(|(&(search, length), results)| TunnelRow::new(search, length, results)).collect())
 }
 
 /// Makes all runs, on as many threads as the machine has.

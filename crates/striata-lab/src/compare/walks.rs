@@ -20,12 +20,12 @@ const MAX_POINTS: usize = 100;
 
 /// A walk, the fastest times of its frames, and their draw counts.
 #[derive(Clone, Debug)]
-pub(super) struct Walk {
+pub(super) struct TimedWalk {
     pace: Pace,
     split_counts: Vec<usize>,
     away: Vec<FrameSecs>,
     back: Vec<FrameSecs>,
-    shown: Vec<ShownLevel>,
+    shown: Vec<WalkLevel>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -35,18 +35,18 @@ struct FrameSecs {
 }
 
 #[derive(Clone, Copy, Debug, Default)]
-struct ShownLevel {
+struct WalkLevel {
     split_count: usize,
     counts: DrawCounts,
 }
 
-impl Walk {
+impl TimedWalk {
     /// Creates a walk that has not been run.
     pub(super) fn new(pace: Pace, step_count: usize, frames: usize) -> Self {
         let split_counts = pace.split_counts(step_count, frames);
         let unmeasured = FrameSecs { extract: f64::INFINITY, with_sending: f64::INFINITY };
         let times = vec![unmeasured; split_counts.len()];
-        let shown = vec![ShownLevel::default(); split_counts.len()];
+        let shown = vec![WalkLevel::default(); split_counts.len()];
         Self { pace, split_counts, away: times.clone(), back: times, shown }
     }
 
@@ -66,7 +66,7 @@ impl Walk {
     pub(super) fn count_draws(&mut self, contender: &mut dyn Contender) {
         for (shown, &split_count) in self.shown.iter_mut().zip(&self.split_counts) {
             contender.move_to(split_count);
-            *shown = ShownLevel { split_count: contender.split_count(), counts: contender.draw_counts() };
+            *shown = WalkLevel { split_count: contender.split_count(), counts: contender.draw_counts() };
         }
     }
 
@@ -88,7 +88,7 @@ impl Walk {
         }
     }
 
-    fn series(&self, sequence: &CollapseSequence) -> Series {
+    fn series(&self, sequence: &CollapseSequence) -> WalkSeries {
         let frames = thinned(self.split_counts.len());
         let both_ways = |value_of: fn(&FrameSecs) -> f64| -> Vec<f64> {
             let of_frame = |&frame: &usize| {
@@ -99,7 +99,7 @@ impl Walk {
             frames.iter().map(of_frame).collect()
         };
         let shown = || frames.iter().map(|&frame| self.shown[frame]);
-        Series {
+        WalkSeries {
             split_count: shown().map(|shown| shown.split_count).collect(),
             triangle_count: shown().map(|shown| sequence.triangle_count_at(shown.split_count)).collect(),
             index_count: shown().map(|shown| shown.counts.index_count).collect(),
@@ -163,12 +163,12 @@ pub(super) struct WalkReport {
     /// Number of triangles shown.
     pub triangle_count: f64,
     /// Values by frame.
-    pub series: Series,
+    pub series: WalkSeries,
 }
 
 /// Frames of a walk from near to far; times are means of both directions.
 #[derive(Clone, Debug, Serialize)]
-pub(super) struct Series {
+pub(super) struct WalkSeries {
     /// Indices of the frames.
     pub frame: Vec<usize>,
     split_count: Vec<usize>,

@@ -9,18 +9,19 @@ use striata_scene::Poser;
 const GOLDEN: f64 = 0.618_033_988_749_895;
 
 /// A mesh in a pose of an instance.
-pub(super) struct PosedMesh {
+pub(super) struct MeasuredPose {
     positions: Vec<[f32; 3]>,
     /// Scene units per mesh unit.
     scale: f64,
 }
 
-impl PosedMesh {
+impl MeasuredPose {
     /// Poses all instances of a mesh at scattered times of all animations, or at rest if there are none.
     pub(super) fn all(
         scene: &Scene,
         poser: &Poser,
-        (index, mesh): (usize, &IndexedMesh),
+        index: usize,
+        mesh: &IndexedMesh,
         times: u32,
     ) -> Vec<Self> {
         let mut poses = Vec::new();
@@ -44,17 +45,21 @@ impl PosedMesh {
 
 /// Distances over all vertices and poses, mesh units.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
-pub(super) struct Distances {
+pub(super) struct PoseDistances {
     pub rms: f64,
     pub max: f64,
 }
 
 /// Measures the distance of each vertex of the full mesh from a level in the same pose.
-pub(super) fn distances(refinable: &RefinableMesh, split_count: usize, posed: &[PosedMesh]) -> Distances {
+pub(super) fn distances(
+    refinable: &RefinableMesh,
+    split_count: usize,
+    posed: &[MeasuredPose],
+) -> PoseDistances {
     let mut triangles = Vec::new();
     replay_into(&refinable.sequence, split_count, &refinable.mesh.triangles, &mut triangles);
     let (mut sum, mut count, mut max) = (0.0, 0usize, 0.0f64);
-    for PosedMesh { positions, scale } in posed {
+    for MeasuredPose { positions, scale } in posed {
         let level = IndexedMesh::new(positions.clone(), triangles.clone());
         let Ok(tree) = TriangleTree::new(&level) else { continue };
         let mut triangle = usize::MAX;
@@ -67,5 +72,5 @@ pub(super) fn distances(refinable: &RefinableMesh, split_count: usize, posed: &[
             }
         }
     }
-    Distances { rms: (sum / count.max(1) as f64).sqrt(), max }
+    PoseDistances { rms: (sum / count.max(1) as f64).sqrt(), max }
 }

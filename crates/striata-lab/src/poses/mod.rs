@@ -17,8 +17,8 @@ use striata_command::output::{Bar, Output};
 use striata_io::{Scene, read_scene};
 use striata_scene::{Deformation, ScenePoses};
 
-use self::measure::PosedMesh;
-use self::report::{LevelReport, MeshReport, Report, SceneReport};
+use self::measure::MeasuredPose;
+use self::report::{PosedLevelReport, PosedMeshReport, PosesReport, SceneReport};
 use crate::args::PosesArgs;
 
 /// Measures every scene and prints the report.
@@ -39,11 +39,11 @@ pub(crate) fn run(args: &PosesArgs, output: &Output) -> Result<(), Failure> {
         let file_name = path.file_name().map_or(name.clone(), |name| name.to_string_lossy().into_owned());
         scenes.push(SceneReport { name: file_name, meshes });
     }
-    let report = Report { times: args.times, scenes };
+    let report = PosesReport { times: args.times, scenes };
     output.data(&report, &report.to_text())
 }
 
-fn measured(scene: &Scene, args: &PosesArgs, bar: &mut Bar) -> Result<Vec<MeshReport>, Failure> {
+fn measured(scene: &Scene, args: &PosesArgs, bar: &mut Bar) -> Result<Vec<PosedMeshReport>, Failure> {
     let started = Instant::now();
     let poses = ScenePoses::new(scene).map_err(|error| Failure::user(error.to_string()))?;
     let pose_secs = started.elapsed().as_secs_f64();
@@ -64,7 +64,7 @@ fn measured(scene: &Scene, args: &PosesArgs, bar: &mut Bar) -> Result<Vec<MeshRe
         let (finished, finish_secs) = timed(|| Ok(deformation.finish(with_layers)))?;
         let mut levels = Vec::new();
         let posed = [&plain, &finished]
-            .map(|refinable| PosedMesh::all(scene, poses.poser(), (index, &refinable.mesh), args.times));
+            .map(|refinable| MeasuredPose::all(scene, poses.poser(), index, &refinable.mesh, args.times));
         for &percent in &args.shares {
             let triangle_count = (mesh.triangle_count() as f64 * percent / 100.0) as usize;
             let splits =
@@ -72,7 +72,7 @@ fn measured(scene: &Scene, args: &PosesArgs, bar: &mut Bar) -> Result<Vec<MeshRe
             let (bind, held) = (splits(&plain), splits(&finished));
             let error = f64::from(finished.sequence.error_at(held));
             let distances = measure::distances(&finished, held, &posed[1]);
-            levels.push(LevelReport {
+            levels.push(PosedLevelReport {
                 percent,
                 triangle_count: finished.sequence.triangle_count_at(held),
                 bind: measure::distances(&plain, bind, &posed[0]),
@@ -83,7 +83,7 @@ fn measured(scene: &Scene, args: &PosesArgs, bar: &mut Bar) -> Result<Vec<MeshRe
                 is_held: distances.max <= error,
             });
         }
-        reports.push(MeshReport {
+        reports.push(PosedMeshReport {
             index,
             name: scene.mesh_name(index).to_owned(),
             triangle_count: mesh.triangle_count(),

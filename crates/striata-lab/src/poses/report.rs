@@ -3,11 +3,11 @@
 use serde::Serialize;
 use striata_command::output::{Table, format_count, format_duration, format_length};
 
-use super::measure::Distances;
+use super::measure::PoseDistances;
 
 /// Results of all scenes.
 #[derive(Serialize)]
-pub(super) struct Report {
+pub(super) struct PosesReport {
     /// Times of each animation.
     pub times: u32,
     pub scenes: Vec<SceneReport>,
@@ -17,12 +17,12 @@ pub(super) struct Report {
 #[derive(Serialize)]
 pub(super) struct SceneReport {
     pub name: String,
-    pub meshes: Vec<MeshReport>,
+    pub meshes: Vec<PosedMeshReport>,
 }
 
 /// Levels of a mesh that was simplified for its poses, and of the same mesh simplified in its bind pose.
 #[derive(Serialize)]
-pub(super) struct MeshReport {
+pub(super) struct PosedMeshReport {
     pub index: usize,
     pub name: String,
     pub triangle_count: usize,
@@ -35,19 +35,19 @@ pub(super) struct MeshReport {
     pub secs: f64,
     pub choice_secs: f64,
     pub finish_secs: f64,
-    pub levels: Vec<LevelReport>,
+    pub levels: Vec<PosedLevelReport>,
 }
 
 /// Levels of one share; lengths in mesh units.
 #[derive(Serialize)]
-pub(super) struct LevelReport {
+pub(super) struct PosedLevelReport {
     pub percent: f64,
     pub triangle_count: usize,
     /// Distances of the level that was simplified in the bind pose, and the error that it reports.
-    pub bind: Distances,
+    pub bind: PoseDistances,
     pub bind_error: f64,
     /// Distances of the level that was simplified for poses.
-    pub distances: Distances,
+    pub distances: PoseDistances,
     /// Its error before poses were measured, and after.
     pub estimated_error: f64,
     pub error: f64,
@@ -55,7 +55,7 @@ pub(super) struct LevelReport {
     pub is_held: bool,
 }
 
-impl Report {
+impl PosesReport {
     /// Tables with an explanation of their columns.
     pub(super) fn to_text(&self) -> String {
         let mut text = format!(
@@ -75,7 +75,7 @@ impl Report {
     }
 }
 
-impl MeshReport {
+impl PosedMeshReport {
     fn add_text(&self, scene: &str, text: &mut String) {
         text.push_str(&format!(
             "\n{scene}, mesh {} {:?}: {} triangles, {} vertices, {} poses; {} for poses ({} to choose, {} to \

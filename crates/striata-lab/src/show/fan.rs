@@ -6,14 +6,14 @@ use striata::model::Fans;
 use striata::simplify::{SequenceOptions, build_sequence};
 use striata_command::failure::Failure;
 
-use super::patch::Patch;
-use super::sheet::{Align, GRAY, Line, SIZE, Sheet, color, panels, tint};
+use super::patch::MeshPatch;
+use super::sheet::{GRAY, LineStyle, SIZE, Sheet, TextAlign, color, panels, tint};
 
 /// Number of vertices whose masks are listed; there is no room for more lines.
 const LISTED: usize = 2;
 
 /// Draws the picture; returns whether there is a fan that a step changes.
-pub(super) fn draw(patch: &Patch, sheet: &mut Sheet) -> Result<bool, Failure> {
+pub(super) fn draw(patch: &MeshPatch, sheet: &mut Sheet) -> Result<bool, Failure> {
     let refinable = build_sequence(&patch.mesh, &SequenceOptions::default())?.refinable;
     let fans = Fans::build_without_bounds(&refinable);
     // The entry that says most: some arcs hold always, and few steps change the others.
@@ -30,7 +30,7 @@ pub(super) fn draw(patch: &Patch, sheet: &mut Sheet) -> Result<bool, Failure> {
     for (panel, is_refined) in panels(2, &points).into_iter().zip([true, false]) {
         let split_count = maker.step as usize + usize::from(is_refined);
         for triangle in &replay(&refinable, split_count).triangles {
-            sheet.outline(&panel.corners(&points, triangle), Line::solid(GRAY, 1));
+            sheet.outline(&panel.corners(&points, triangle), LineStyle::solid(GRAY, 1));
         }
         let own = makers.iter().filter(|maker| maker.step as usize >= split_count);
         let active = own.fold(fan.permanent_arcs(), |arcs, maker| arcs | maker.arcs);
@@ -38,7 +38,7 @@ pub(super) fn draw(patch: &Patch, sheet: &mut Sheet) -> Result<bool, Failure> {
             let triangle = [fan.vertex(), nodes[arc], nodes[(arc + 1) % nodes.len()]];
             let corners = panel.corners(&points, &triangle);
             sheet.area(&corners, tint(color(if fan.permanent_arcs() >> arc & 1 == 1 { 0 } else { 1 })));
-            sheet.outline(&corners, Line::solid(color(0), 2));
+            sheet.outline(&corners, LineStyle::solid(color(0), 2));
         }
         for &v in nodes.iter().chain([&fan.vertex()]) {
             sheet.number(panel.at(points[v as usize]), v);
@@ -48,7 +48,7 @@ pub(super) fn draw(patch: &Patch, sheet: &mut Sheet) -> Result<bool, Failure> {
         sheet.text(
             DVec2::new(panel.middle, 490.0),
             format!("{state} vertex {removed} is removed"),
-            Align::Center,
+            TextAlign::Center,
         );
     }
     let mut lines = vec![format!("Entry of vertex {} in the table: ring {}", fan.vertex(), list(&nodes))];

@@ -16,12 +16,12 @@ use striata_command::input::Input;
 use striata_command::output::Output;
 use striata_command::save::write_bytes;
 
-use self::patch::Patch;
+use self::patch::MeshPatch;
 use self::sheet::Sheet;
 use crate::args::{ShowArgs, Structure};
 
 #[derive(Serialize)]
-struct Report {
+struct ShowReport {
     path: String,
     what: &'static str,
     /// Triangles of the part that is drawn.
@@ -45,7 +45,7 @@ pub(crate) fn run(args: &ShowArgs, output: &Output) -> Result<(), Failure> {
         let what = args.what.as_str();
         Failure::user(format!("{}: its flattest {count} triangles contain no {what}", args.input.display()))
     };
-    let patch = Patch::of(&mesh, count as usize)?.ok_or_else(none)?;
+    let patch = MeshPatch::of(&mesh, count as usize)?.ok_or_else(none)?;
     let mut sheet = Sheet::default();
     let is_drawn = match args.what {
         Structure::Mts => mts::draw(&patch, &mut sheet)?,
@@ -60,5 +60,5 @@ pub(crate) fn run(args: &ShowArgs, output: &Output) -> Result<(), Failure> {
     let path = args.output.display().to_string();
     let triangle_count = patch.mesh.triangle_count();
     let text = format!("{path}: {} in {triangle_count} triangles", args.what.as_str());
-    output.data(&Report { path, what: args.what.as_str(), triangle_count }, &text)
+    output.data(&ShowReport { path, what: args.what.as_str(), triangle_count }, &text)
 }

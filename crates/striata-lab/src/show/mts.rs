@@ -8,8 +8,8 @@ use striata::strip::{RESTART, stripify};
 use striata_command::failure::Failure;
 use striata_lab::{MtsGraph, MtsNode};
 
-use super::patch::Patch;
-use super::sheet::{Align, DARK, GRAY, Line, Panel, SIZE, Sheet, color, tint};
+use super::patch::MeshPatch;
+use super::sheet::{DARK, GRAY, LineStyle, SIZE, Sheet, SheetPanel, TextAlign, color, tint};
 
 /// Pixels of the mesh on the left.
 const MESH_WIDTH: f64 = 380.0;
@@ -23,7 +23,7 @@ const ARC_POINTS: usize = 24;
 const LISTED: usize = 5;
 
 /// Draws the picture; returns whether there is a strip.
-pub(super) fn draw(patch: &Patch, sheet: &mut Sheet) -> Result<bool, Failure> {
+pub(super) fn draw(patch: &MeshPatch, sheet: &mut Sheet) -> Result<bool, Failure> {
     let refinable = build_sequence(&patch.mesh, &SequenceOptions::default())?.refinable;
     let strips = stripify(&refinable.mesh)?;
     let graph = MtsGraph::build(&refinable, &strips)?;
@@ -55,9 +55,9 @@ pub(super) fn draw(patch: &Patch, sheet: &mut Sheet) -> Result<bool, Failure> {
 
 /// Draws all triangles, the strip and the numbers of its vertices.
 fn draw_mesh(triangles: &[[u32; 3]], points: &[DVec2], strip: &[u32], sheet: &mut Sheet) {
-    let panel = Panel::new(0.0..MESH_WIDTH, points);
+    let panel = SheetPanel::new(0.0..MESH_WIDTH, points);
     for triangle in triangles {
-        sheet.outline(&panel.corners(points, triangle), Line::solid(GRAY, 1));
+        sheet.outline(&panel.corners(points, triangle), LineStyle::solid(GRAY, 1));
     }
     for triangle in strip.windows(3).filter(|corners| !corners.contains(&RESTART)) {
         let triangle = [triangle[0], triangle[1], triangle[2]];
@@ -65,7 +65,7 @@ fn draw_mesh(triangles: &[[u32; 3]], points: &[DVec2], strip: &[u32], sheet: &mu
     }
     let path: Vec<DVec2> =
         strip.iter().filter(|&&v| v != RESTART).map(|&v| panel.at(points[v as usize])).collect();
-    sheet.path(&path, Line::solid(color(0), 2));
+    sheet.path(&path, LineStyle::solid(color(0), 2));
     for &v in strip.iter().filter(|&&v| v != RESTART) {
         sheet.number(panel.at(points[v as usize]), v);
     }
@@ -80,7 +80,7 @@ fn draw_graph(graph: &MtsGraph, strip: usize, sheet: &mut Sheet) {
         for (entry, arc) in row.iter().enumerate() {
             match arc.node {
                 MtsNode::Column(to) => {
-                    let line = Line::solid(color(entry), 2);
+                    let line = LineStyle::solid(color(entry), 2);
                     let top = draw_arc(place(from), place(to), line, sheet);
                     sheet.label(top, format!("≤{}", arc.res), color(entry));
                 }
@@ -91,7 +91,7 @@ fn draw_graph(graph: &MtsGraph, strip: usize, sheet: &mut Sheet) {
                         _ => "end",
                     };
                     let at = place(from) + DVec2::new(0.0, 30.0);
-                    sheet.path(&[place(from), at], Line::dashed(GRAY, 1));
+                    sheet.path(&[place(from), at], LineStyle::dashed(GRAY, 1));
                     sheet.label(at + DVec2::new(0.0, 12.0), format!("{name} ≤{}", arc.res), GRAY);
                 }
             }
@@ -103,17 +103,17 @@ fn draw_graph(graph: &MtsGraph, strip: usize, sheet: &mut Sheet) {
     for begin in graph.begins(strip) {
         if let MtsNode::Column(column) = begin.node {
             let at = place(column) - DVec2::new(0.0, 26.0);
-            sheet.path(&[at, place(column)], Line::solid(DARK, 2));
+            sheet.path(&[at, place(column)], LineStyle::solid(DARK, 2));
             sheet.label(at - DVec2::new(0.0, 10.0), format!("begin ≤{}", begin.res), DARK);
         }
     }
     let middle = 0.5 * (MESH_WIDTH + SIZE.x);
     let text = "An arc holds for levels up to its number; 0 is the full mesh. Arcs above lead forward.";
-    sheet.text(DVec2::new(middle, 490.0), text, Align::Center);
+    sheet.text(DVec2::new(middle, 490.0), text, TextAlign::Center);
 }
 
 /// Draws half an ellipse, above if it leads forward; returns its apex.
-fn draw_arc(from: DVec2, to: DVec2, line: Line, sheet: &mut Sheet) -> DVec2 {
+fn draw_arc(from: DVec2, to: DVec2, line: LineStyle, sheet: &mut Sheet) -> DVec2 {
     let center = 0.5 * (from + to);
     let half = 0.5 * (to.x - from.x);
     let height = (0.8 * half.abs()).clamp(16.0, MAX_ARC);

@@ -9,13 +9,13 @@ use striata::mesh::{DualGraph, IndexedMesh, MeshError, weld};
 const STARTS: usize = 200;
 
 /// A connected part of a mesh, without attributes.
-pub(super) struct Patch {
+pub(super) struct MeshPatch {
     pub mesh: IndexedMesh,
     /// Directions to the right and up in pictures.
     axes: [DVec3; 2],
 }
 
-impl Patch {
+impl MeshPatch {
     /// Finds the flattest part with `count` triangles; [`None`] if no part has so many.
     ///
     /// # Errors
@@ -87,7 +87,7 @@ mod tests {
     #[test]
     fn a_part_is_seen_from_its_front() {
         let patch =
-            Patch::of(&shapes::icosphere(3, 1.0), 40).expect("a valid mesh").expect("enough triangles");
+            MeshPatch::of(&shapes::icosphere(3, 1.0), 40).expect("a valid mesh").expect("enough triangles");
         assert_eq!(patch.mesh.triangle_count(), 40);
         let seen = patch.seen(&patch.mesh.positions);
         for triangle in &patch.mesh.triangles {
@@ -95,6 +95,6 @@ mod tests {
             // Counterclockwise, with y down.
             assert!((b - a).perp_dot(c - a) < 0.0);
         }
-        assert!(Patch::of(&shapes::cube(), 13).expect("a valid mesh").is_none());
+        assert!(MeshPatch::of(&shapes::cube(), 13).expect("a valid mesh").is_none());
     }
 }

@@ -8,11 +8,11 @@ use striata::simplify::{RemovalOptions, build_fragments};
 use striata_command::failure::Failure;
 use striata_lab::baseline::LoopPatterns;
 
-use super::patch::Patch;
-use super::sheet::{Align, DARK, GRAY, Line, Panel, SIZE, Sheet, color, panels, tint};
+use super::patch::MeshPatch;
+use super::sheet::{DARK, GRAY, LineStyle, SIZE, Sheet, SheetPanel, TextAlign, color, panels, tint};
 
 /// Draws the picture; returns whether there are two fragments that overlap.
-pub(super) fn draw(patch: &Patch, sheet: &mut Sheet) -> Result<bool, Failure> {
+pub(super) fn draw(patch: &MeshPatch, sheet: &mut Sheet) -> Result<bool, Failure> {
     let mesh = build_fragments(&patch.mesh, &RemovalOptions::default())?.fragmented;
     let model = LoopPatterns::build(&mesh).map_err(|error| Failure::user(error.to_string()))?;
     let fragments = &mesh.fragments;
@@ -39,7 +39,7 @@ pub(super) fn draw(patch: &Patch, sheet: &mut Sheet) -> Result<bool, Failure> {
     coarse.draw_faces(fragments.floor(upper), 1, sheet);
     let anchors = model.anchors(upper);
     let ends = anchors.map(|v| floor.at(points[v as usize]));
-    sheet.path(&ends, Line::solid(DARK, 4));
+    sheet.path(&ends, LineStyle::solid(DARK, 4));
     coarse.draw_vertices(anchors.into_iter(), sheet);
     title(floor, "its floor, with two anchors".to_owned(), sheet);
 
@@ -72,21 +72,21 @@ fn shared_faces(mesh: &FragmentedMesh, upper: u32, lower: u32) -> Vec<u32> {
     mesh.fragments.floor(upper).iter().copied().filter(|face| ceiling.contains(face)).collect()
 }
 
-fn title(panel: Panel, text: String, sheet: &mut Sheet) {
-    sheet.text(DVec2::new(panel.middle, 490.0), text, Align::Center);
+fn title(panel: SheetPanel, text: String, sheet: &mut Sheet) {
+    sheet.text(DVec2::new(panel.middle, 490.0), text, TextAlign::Center);
 }
 
 /// A level with some of its fragments, in a panel.
 struct FragmentPicture<'a> {
     mesh: &'a FragmentedMesh,
     points: &'a [DVec2],
-    panel: Panel,
+    panel: SheetPanel,
 }
 
 impl FragmentPicture<'_> {
     fn draw_level(&self, split_count: usize, sheet: &mut Sheet) {
         for triangle in &replay_fragments(self.mesh, split_count).triangles {
-            sheet.outline(&self.panel.corners(self.points, triangle), Line::solid(GRAY, 1));
+            sheet.outline(&self.panel.corners(self.points, triangle), LineStyle::solid(GRAY, 1));
         }
     }
 
@@ -95,7 +95,7 @@ impl FragmentPicture<'_> {
             let corners =
                 self.panel.corners(self.points, &self.mesh.fragments.faces()[face as usize].corners);
             sheet.area(&corners, tint(color(index)));
-            sheet.outline(&corners, Line::solid(color(index), 2));
+            sheet.outline(&corners, LineStyle::solid(color(index), 2));
         }
     }
 

@@ -36,13 +36,13 @@ pub(super) fn tint(RGBColor(r, g, b): RGBColor) -> RGBColor {
 
 /// How a line is drawn.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Line {
+pub(super) struct LineStyle {
     pub color: RGBColor,
     pub width: u32,
     pub is_dashed: bool,
 }
 
-impl Line {
+impl LineStyle {
     pub(super) const fn solid(color: RGBColor, width: u32) -> Self {
         Self { color, width, is_dashed: false }
     }
@@ -54,45 +54,45 @@ impl Line {
 
 /// How a text is aligned with its point.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Align {
+pub(super) enum TextAlign {
     Left,
     Center,
 }
 
-enum Shape {
+enum DrawnShape {
     Area(Vec<DVec2>, RGBColor),
-    Path(Vec<DVec2>, Line),
+    Path(Vec<DVec2>, LineStyle),
     Dot(DVec2, i32, RGBColor),
-    Text(DVec2, String, Align, i32, RGBColor),
+    Text(DVec2, String, TextAlign, i32, RGBColor),
 }
 
 /// Shapes that are drawn, in order, in pixels.
 #[derive(Default)]
 pub(super) struct Sheet {
-    shapes: Vec<Shape>,
+    shapes: Vec<DrawnShape>,
 }
 
 impl Sheet {
     pub(super) fn area(&mut self, corners: &[DVec2], color: RGBColor) {
-        self.shapes.push(Shape::Area(corners.to_vec(), color));
+        self.shapes.push(DrawnShape::Area(corners.to_vec(), color));
     }
 
-    pub(super) fn path(&mut self, points: &[DVec2], line: Line) {
-        self.shapes.push(Shape::Path(points.to_vec(), line));
+    pub(super) fn path(&mut self, points: &[DVec2], line: LineStyle) {
+        self.shapes.push(DrawnShape::Path(points.to_vec(), line));
     }
 
     /// A closed outline.
-    pub(super) fn outline(&mut self, corners: &[DVec2], line: Line) {
+    pub(super) fn outline(&mut self, corners: &[DVec2], line: LineStyle) {
         let closed: Vec<DVec2> = corners.iter().chain(corners.first()).copied().collect();
         self.path(&closed, line);
     }
 
     pub(super) fn dot(&mut self, at: DVec2, radius: i32, color: RGBColor) {
-        self.shapes.push(Shape::Dot(at, radius, color));
+        self.shapes.push(DrawnShape::Dot(at, radius, color));
     }
 
-    pub(super) fn text(&mut self, at: DVec2, text: impl Into<String>, align: Align) {
-        self.shapes.push(Shape::Text(at, text.into(), align, 20, DARK));
+    pub(super) fn text(&mut self, at: DVec2, text: impl Into<String>, align: TextAlign) {
+        self.shapes.push(DrawnShape::Text(at, text.into(), align, 20, DARK));
     }
 
     /// The number of a vertex, on a disc.
@@ -104,13 +104,13 @@ impl Sheet {
     /// Lines of text across the sheet, from a height downward.
     pub(super) fn lines(&mut self, y: f64, lines: &[String]) {
         for (i, line) in lines.iter().enumerate() {
-            self.text(DVec2::new(48.0, y + 26.0 * i as f64), line.as_str(), Align::Left);
+            self.text(DVec2::new(48.0, y + 26.0 * i as f64), line.as_str(), TextAlign::Left);
         }
     }
 
     /// A small text in a color, centered.
     pub(super) fn label(&mut self, at: DVec2, text: impl Into<String>, color: RGBColor) {
-        self.shapes.push(Shape::Text(at, text.into(), Align::Center, 16, color));
+        self.shapes.push(DrawnShape::Text(at, text.into(), TextAlign::Center, 16, color));
     }
 
     /// Draws everything.
@@ -129,10 +129,10 @@ impl Sheet {
         let pixel = |p: &DVec2| (p.x.round() as i32, p.y.round() as i32);
         for shape in &self.shapes {
             match shape {
-                Shape::Area(corners, color) => {
+                DrawnShape::Area(corners, color) => {
                     root.draw(&Polygon::new(corners.iter().map(pixel).collect::<Vec<_>>(), color.filled()))?;
                 }
-                Shape::Path(points, Line { color, width, is_dashed }) => {
+                DrawnShape::Path(points, LineStyle { color, width, is_dashed }) => {
                     let points: Vec<_> = points.iter().map(pixel).collect();
                     let style = color.stroke_width(*width);
                     if *is_dashed {
@@ -141,13 +141,13 @@ impl Sheet {
                         root.draw(&PathElement::new(points, style))?;
                     }
                 }
-                Shape::Dot(at, radius, color) => {
+                DrawnShape::Dot(at, radius, color) => {
                     root.draw(&Circle::new(pixel(at), *radius, color.filled()))?;
                 }
-                Shape::Text(at, text, align, size, color) => {
+                DrawnShape::Text(at, text, align, size, color) => {
                     let (h, v) = match align {
-                        Align::Left => (HPos::Left, VPos::Center),
-                        Align::Center => (HPos::Center, VPos::Center),
+                        TextAlign::Left => (HPos::Left, VPos::Center),
+                        TextAlign::Center => (HPos::Center, VPos::Center),
                     };
                     let style = (FONT, *size).into_font().color(color).pos(Pos::new(h, v));
                     root.draw(&Text::new(text.as_str(), pixel(at), style))?;
@@ -161,13 +161,13 @@ impl Sheet {
 
 /// A part of the sheet in which points of a plane are seen.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Panel {
+pub(super) struct SheetPanel {
     scale: f64,
     offset: DVec2,
     pub middle: f64,
 }
 
-impl Panel {
+impl SheetPanel {
     /// The panel that covers a range of pixels from left to right, and shows all points.
     pub(super) fn new(pixels: Range<f64>, points: &[DVec2]) -> Self {
         let min = points.iter().copied().fold(DVec2::INFINITY, DVec2::min);
@@ -189,7 +189,7 @@ impl Panel {
 }
 
 /// The panels of a sheet with `count` pictures of the same points.
-pub(super) fn panels(count: usize, points: &[DVec2]) -> Vec<Panel> {
+pub(super) fn panels(count: usize, points: &[DVec2]) -> Vec<SheetPanel> {
     let width = SIZE.x / count as f64;
-    (0..count).map(|i| Panel::new(i as f64 * width..(i + 1) as f64 * width, points)).collect()
+    (0..count).map(|i| SheetPanel::new(i as f64 * width..(i + 1) as f64 * width, points)).collect()
 }

@@ -8,8 +8,8 @@ use striata_lab::stripifiers::{
     EndOrder, Identities, TunnelOptions, Visits, join_along_one_tunnel, join_along_tunnels,
 };
 
-use super::patch::Patch;
-use super::sheet::{Align, DARK, GRAY, Line, Panel, Sheet, color, panels, tint};
+use super::patch::MeshPatch;
+use super::sheet::{DARK, GRAY, LineStyle, Sheet, SheetPanel, TextAlign, color, panels, tint};
 
 /// Lengths of tunnels that are shown, the best ones first; one link would only join two ends.
 const LENGTHS: [u32; 3] = [5, 7, 3];
@@ -19,7 +19,7 @@ const SEEDS: u64 = 100;
 const TUNNEL: usize = 5;
 
 /// Draws the picture; returns whether there is a tunnel.
-pub(super) fn draw(patch: &Patch, sheet: &mut Sheet) -> Result<bool, Failure> {
+pub(super) fn draw(patch: &MeshPatch, sheet: &mut Sheet) -> Result<bool, Failure> {
     let mesh = &patch.mesh;
     let graph = DualGraph::of_vertices(mesh);
     let found = LENGTHS.iter().find_map(|&max_length| {
@@ -44,13 +44,13 @@ pub(super) fn draw(patch: &Patch, sheet: &mut Sheet) -> Result<bool, Failure> {
         let picture = GraphPicture { mesh, points: &points, links, panel };
         picture.draw_strips(sheet);
         for &side in &tunnel {
-            let line = if links.is_solid(side) { Line::solid } else { Line::dashed };
+            let line = if links.is_solid(side) { LineStyle::solid } else { LineStyle::dashed };
             sheet.path(&picture.link(side), line(color(TUNNEL), 5));
         }
         picture.draw_nodes(sheet);
         let strip_count = mesh.triangle_count() - links.solid_count();
         let strips = if strip_count == 1 { "strip" } else { "strips" };
-        sheet.text(DVec2::new(panel.middle, 490.0), format!("{strip_count} {strips}"), Align::Center);
+        sheet.text(DVec2::new(panel.middle, 490.0), format!("{strip_count} {strips}"), TextAlign::Center);
     }
     let count = tunnel.len();
     let lines = [
@@ -69,7 +69,7 @@ struct GraphPicture<'a> {
     mesh: &'a IndexedMesh,
     points: &'a [DVec2],
     links: &'a StripLinks<'a>,
-    panel: Panel,
+    panel: SheetPanel,
 }
 
 impl GraphPicture<'_> {
@@ -78,12 +78,15 @@ impl GraphPicture<'_> {
         for (triangle, strip) in self.mesh.triangles.iter().zip(strips_of_triangles(self.links)) {
             let corners = self.panel.corners(self.points, triangle);
             sheet.area(&corners, tint(color(if strip >= TUNNEL { strip + 1 } else { strip })));
-            sheet.outline(&corners, Line::solid(GRAY, 1));
+            sheet.outline(&corners, LineStyle::solid(GRAY, 1));
         }
         for (side, &twin) in (0..).zip(self.links.twins()) {
             if twin != NO_TWIN && side < twin {
-                let line =
-                    if self.links.is_solid(side) { Line::solid(DARK, 3) } else { Line::dashed(GRAY, 1) };
+                let line = if self.links.is_solid(side) {
+                    LineStyle::solid(DARK, 3)
+                } else {
+                    LineStyle::dashed(GRAY, 1)
+                };
                 sheet.path(&self.link(side), line);
             }
         }

@@ -27,7 +27,7 @@ const SAMPLED_EVERY: Duration = Duration::from_millis(200);
 
 /// The load to apply.
 #[derive(Clone, Copy, Debug)]
-pub struct Plan {
+pub struct LoadPlan {
     /// Number of clients that read ranges.
     pub quick: usize,
     /// Number of clients that read a kilobyte per second.
@@ -38,7 +38,7 @@ pub struct Plan {
 
 /// The measurements.
 #[derive(Debug, Default)]
-pub struct Outcome {
+pub struct LoadOutcome {
     /// Latency of each response to a quick client, in ascending order.
     pub latencies: Vec<Duration>,
     /// Bytes received by slow clients.
@@ -58,13 +58,13 @@ pub fn write_file(folder: &Path) {
 }
 
 /// Puts a server under load.
-pub fn run(server: &Server, plan: Plan) -> Outcome {
+pub fn run(server: &Server, plan: LoadPlan) -> LoadOutcome {
     let until = Instant::now() + plan.lasts;
     let address = server.address;
     let quick: Vec<_> =
         (0..plan.quick as u64).map(|i| thread::spawn(move || read_ranges(address, i, until))).collect();
     let slow: Vec<_> = (0..plan.slow).map(|_| thread::spawn(move || read_slowly(address, until))).collect();
-    let mut outcome = Outcome::default();
+    let mut outcome = LoadOutcome::default();
     while Instant::now() < until {
         outcome.resident_kb.extend(memory_kb(server.id(), "VmRSS:"));
         thread::sleep(SAMPLED_EVERY);

@@ -4,4 +4,4 @@ mod client;
 mod load;
 
 pub use client::{Answer, Connection, PATIENCE, Server};
-pub use load::{FILE, Outcome, Plan, memory_kb, run, write_file};
+pub use load::{FILE, LoadOutcome, LoadPlan, memory_kb, run, write_file};

@@ -8,7 +8,7 @@ use striata::simplify::{
     build_sequence_with_progress,
 };
 
-use super::{Outcome, Rules, Simplifier};
+use super::{Rules, Simplifier, SimplifierOutcome};
 use crate::meshes;
 
 impl Simplifier for SequenceOptions {
@@ -27,10 +27,14 @@ impl Simplifier for SequenceOptions {
         }
     }
 
-    fn run(&self, mesh: &IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError> {
+    fn run(
+        &self,
+        mesh: &IndexedMesh,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<SimplifierOutcome, SimplifyError> {
         let BuiltSequence { refinable, stop_reason, .. } =
             build_sequence_with_progress(mesh, self, progress)?;
-        Ok(Outcome {
+        Ok(SimplifierOutcome {
             full: refinable.mesh.clone(),
             levels: refinable.sequence.levels().clone(),
             replay: Box::new(move |split_count| replay(&refinable, split_count)),
@@ -55,10 +59,14 @@ impl Simplifier for BatchOptions {
         }
     }
 
-    fn run(&self, mesh: &IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError> {
+    fn run(
+        &self,
+        mesh: &IndexedMesh,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<SimplifierOutcome, SimplifyError> {
         let BuiltSequence { refinable, stop_reason, .. } =
             build_batches_with_progress(mesh, self, progress)?.built;
-        Ok(Outcome {
+        Ok(SimplifierOutcome {
             full: refinable.mesh.clone(),
             levels: refinable.sequence.levels().clone(),
             replay: Box::new(move |split_count| replay(&refinable, split_count)),
@@ -83,10 +91,14 @@ impl Simplifier for RemovalOptions {
         }
     }
 
-    fn run(&self, mesh: &IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError> {
+    fn run(
+        &self,
+        mesh: &IndexedMesh,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<SimplifierOutcome, SimplifyError> {
         let BuiltFragments { fragmented, stop_reason, .. } =
             build_fragments_with_progress(mesh, self, progress)?;
-        Ok(Outcome {
+        Ok(SimplifierOutcome {
             full: fragmented.mesh.clone(),
             levels: fragmented.fragments.levels().clone(),
             replay: Box::new(move |split_count| replay_fragments(&fragmented, split_count)),

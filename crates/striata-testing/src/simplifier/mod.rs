@@ -16,7 +16,7 @@ use crate::support::Topology;
 pub use implementations::hole_fillings;
 
 /// Result of a simplifier.
-pub struct Outcome {
+pub struct SimplifierOutcome {
     /// The full mesh, in refinement order.
     pub full: IndexedMesh,
     pub levels: Levels,
@@ -25,7 +25,7 @@ pub struct Outcome {
     pub stop_reason: StopReason,
 }
 
-impl Outcome {
+impl SimplifierOutcome {
     /// Positions of the base mesh.
     pub fn base_positions(&self) -> BTreeSet<[u32; 3]> {
         positions_of(&self.full, self.levels.base_vertex_count())
@@ -48,9 +48,13 @@ pub trait Simplifier: Clone + Debug {
     fn variants() -> Vec<(String, Self)>;
     fn rules(&mut self) -> Rules<'_>;
     /// Simplifies as far as possible.
-    fn run(&self, mesh: &IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Outcome, SimplifyError>;
+    fn run(
+        &self,
+        mesh: &IndexedMesh,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<SimplifierOutcome, SimplifyError>;
 
-    fn outcome(&self, mesh: &IndexedMesh) -> Outcome {
+    fn outcome(&self, mesh: &IndexedMesh) -> SimplifierOutcome {
         self.run(mesh, &mut ignore_progress).expect("valid meshes can be simplified")
     }
 

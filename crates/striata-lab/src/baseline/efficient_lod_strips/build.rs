@@ -5,7 +5,7 @@ use striata::model::{ModelError, StepVertices, check_strips};
 use striata::strip::StripSet;
 
 use super::resizes::Winding;
-use super::{Change, EfficientLodStrips, RecordChange};
+use super::{EfficientLodStrips, RecordChange, VertexChange};
 
 impl EfficientLodStrips {
     /// Builds the model from strips of the full mesh, which are used unchanged.
@@ -19,7 +19,7 @@ impl EfficientLodStrips {
         let base = 0..vertices.base_vertex_count();
         let above = vertices.base_vertex_count()..vertices.vertex_count() as u32;
         let collapses = base.chain(above.clone().map(|v| vertices.target(v))).collect();
-        let mut shown = ShownStrips::new(strips, vertices.vertex_count());
+        let mut shown = CollapsingStrips::new(strips, vertices.vertex_count());
         let mut changes: Vec<Vec<StripChange>> = Vec::new();
         for vertex in above.rev() {
             changes.push(shown.collapse(vertex, vertices.target(vertex), winding));
@@ -50,7 +50,7 @@ impl EfficientLodStrips {
             });
             self.data.extend(collapses.iter().chain(resizes));
         }
-        self.changes.push(Change { record_count: change.len() as u32, first_record });
+        self.changes.push(VertexChange { record_count: change.len() as u32, first_record });
         let (found, limit) = (self.data.len() as u64, u64::from(u32::MAX));
         if found > limit {
             return Err(ModelError::TooMany { what: "positions of changes", found, limit });
@@ -68,13 +68,13 @@ struct StripChange {
 }
 
 /// The strips while their vertices collapse.
-struct ShownStrips {
+struct CollapsingStrips {
     strips: Vec<Vec<u32>>,
     /// For each vertex, the strips that contain it, possibly with some that no longer do.
     strips_of: Vec<Vec<u32>>,
 }
 
-impl ShownStrips {
+impl CollapsingStrips {
     fn new(strips: &StripSet, vertex_count: usize) -> Self {
         let mut strips_of: Vec<Vec<u32>> = vec![Vec::new(); vertex_count];
         for (strip, indices) in strips.strips().enumerate() {

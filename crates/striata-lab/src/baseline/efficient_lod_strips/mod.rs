@@ -36,7 +36,7 @@ use crate::paper_bytes::{Accounting, PaperBytes};
 
 /// Range of the records of a collapse: one record for each strip that it changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Change {
+struct VertexChange {
     record_count: u32,
     first_record: u32,
 }
@@ -61,7 +61,7 @@ pub struct EfficientLodStrips {
     strips: StripSet,
     winding: Winding,
     /// The change of each vertex above the base.
-    changes: Vec<Change>,
+    changes: Vec<VertexChange>,
     records: Vec<RecordChange>,
     data: Vec<u32>,
 }
@@ -129,7 +129,7 @@ impl EfficientLodStrips {
     /// Calls `edit` with each strip that the change of a vertex affects: its record and its positions.
     #[inline]
     fn for_each_record(&self, vertex: u32, mut edit: impl FnMut(&RecordChange, &[u32], &[u32])) {
-        let Change { record_count, first_record } =
+        let VertexChange { record_count, first_record } =
             self.changes[(vertex - self.vertices.base_vertex_count()) as usize];
         let first = first_record as usize;
         for record in &self.records[first..first + record_count as usize] {

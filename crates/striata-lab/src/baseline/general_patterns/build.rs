@@ -4,8 +4,8 @@ use striata::mesh::{FragmentSequence, FragmentedMesh};
 use striata::model::{ModelError, StepVertices};
 
 use super::GeneralPatterns;
-use super::records::{Head, Link, MAX_LOOPS, Records};
-use super::rule::{RuleFinder, Shape};
+use super::records::{MAX_LOOPS, PatternHead, PatternLink, PatternRecords};
+use super::rule::{PatternRuleFinder, PatternShape};
 
 const NO_STEP: u32 = FragmentSequence::NO_STEP;
 
@@ -24,24 +24,24 @@ impl GeneralPatterns {
         }
         let vertices = StepVertices::of_levels(levels);
         let corners = |face: u32| fragments.faces()[face as usize].corners;
-        let mut rules = RuleFinder::default();
+        let mut rules = PatternRuleFinder::default();
         let mut shapes = Vec::with_capacity(levels.step_count());
         for step in 0..levels.step_count() as u32 {
             let ceiling: Vec<_> = fragments.ceiling(step).map(corners).collect();
             let floor: Vec<_> = fragments.floor(step).iter().map(|&face| corners(face)).collect();
             let own = vertices.of_step(step as usize);
-            let shape = Shape::of(own, &ceiling, &floor)
+            let shape = PatternShape::of(own, &ceiling, &floor)
                 .map_err(|reason| ModelError::Step { step: step as usize, reason })?;
             shapes.push((rules.index_of(shape.code), shape.vertices));
         }
         let (rules, new_indices) = rules.finish()?;
         let replaced_by = fragments.replacing_steps();
         let (heads, links) = loops_of(fragments, &replaced_by)?;
-        let mut records = Records::default();
+        let mut records = PatternRecords::default();
         for ((down, links), (rule, vertices)) in heads.into_iter().zip(&links).zip(&shapes) {
             let rule = new_indices[*rule as usize];
             let (&[a, b], listed) = vertices.split_first_chunk().expect("a fragment has two anchors");
-            records.push(&Head { anchors: [a, b], rule, down }, links, listed);
+            records.push(&PatternHead { anchors: [a, b], rule, down }, links, listed);
         }
         let base_count = fragments.base_face_count();
         let mut base_covers: Vec<u32> = replaced_by[..base_count].to_vec();
@@ -58,9 +58,9 @@ impl GeneralPatterns {
 fn loops_of(
     fragments: &FragmentSequence,
     replaced_by: &[u32],
-) -> Result<(Vec<Link>, Vec<Vec<Link>>), ModelError> {
+) -> Result<(Vec<PatternLink>, Vec<Vec<PatternLink>>), ModelError> {
     let step_count = fragments.step_count() as u32;
-    let mut downs: Vec<Link> = (0..step_count).map(Link::back_to).collect();
+    let mut downs: Vec<PatternLink> = (0..step_count).map(PatternLink::back_to).collect();
     let mut links = vec![Vec::new(); step_count as usize];
     for step in (0..step_count).rev() {
         let mut covers: Vec<u32> = fragments.ceiling(step).map(|face| replaced_by[face as usize]).collect();
@@ -72,7 +72,8 @@ fn loops_of(
             return Err(ModelError::Form { what: "loops through one fragment", found, limit });
         }
         for (index, cover) in covers.into_iter().enumerate() {
-            links[step as usize].push(std::mem::replace(&mut downs[cover as usize], Link::to(step, index)));
+            links[step as usize]
+                .push(std::mem::replace(&mut downs[cover as usize], PatternLink::to(step, index)));
         }
     }
     Ok((downs, links))

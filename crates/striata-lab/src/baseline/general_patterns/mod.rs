@@ -35,8 +35,8 @@ use striata::model::{
     Condition, DrawCounts, LodModel, Overlap, PartBytes, PatternChange, StepVertices, StoredModel, Topology,
 };
 
-use self::records::Records;
-use self::rule::RuleTable;
+use self::records::PatternRecords;
+use self::rule::PatternRuleTable;
 pub use self::state::GeneralPatternsState;
 use crate::paper_bytes::{Accounting, PaperBytes, pattern_bytes};
 
@@ -47,8 +47,8 @@ pub struct GeneralPatterns {
     base: Vec<[u32; 3]>,
     /// Fragments that replace triangles of the base or have no floor, ascending.
     base_covers: Vec<u32>,
-    rules: RuleTable,
-    records: Records,
+    rules: PatternRuleTable,
+    records: PatternRecords,
 }
 
 impl GeneralPatterns {

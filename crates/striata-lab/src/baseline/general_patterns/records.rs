@@ -17,12 +17,12 @@ const BLOCK: usize = 32;
 
 /// An element of a loop: the next fragment, and which of its loops continues this one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Link {
+pub(super) struct PatternLink {
     step: u32,
     loop_index: u32,
 }
 
-impl Link {
+impl PatternLink {
     pub(super) fn to(step: u32, loop_index: usize) -> Self {
         Self { step, loop_index: loop_index as u32 }
     }
@@ -47,15 +47,15 @@ impl Link {
 
 /// The part of a fragment's record that precedes its links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Head {
+pub(super) struct PatternHead {
     pub anchors: [u32; 2],
     pub rule: u32,
-    pub down: Link,
+    pub down: PatternLink,
 }
 
 /// The records of all fragments of a model.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Records {
+pub(super) struct PatternRecords {
     count: usize,
     heads: Bits,
     /// Number of loops through each fragment.
@@ -68,9 +68,9 @@ pub(super) struct Records {
     firsts: Vec<[u32; 2]>,
 }
 
-impl Records {
+impl PatternRecords {
     /// Appends the record of a fragment.
-    pub(super) fn push(&mut self, head: &Head, links: &[Link], listed: &[u32]) {
+    pub(super) fn push(&mut self, head: &PatternHead, links: &[PatternLink], listed: &[u32]) {
         if self.count.is_multiple_of(BLOCK) {
             self.firsts.push([self.link_count as u32, self.listed.len() as u32]);
         }
@@ -98,11 +98,11 @@ impl Records {
         self.listed.len()
     }
 
-    pub(super) fn head(&self, step: u32) -> Head {
+    pub(super) fn head(&self, step: u32) -> PatternHead {
         let at = step as usize * HEAD_BITS as usize;
         let anchors = [0, 32].map(|behind| self.heads.get(at + behind, 32) as u32);
         let rule = self.heads.get(at + 64, RULE_BITS) as u32;
-        Head { anchors, rule, down: self.down(step) }
+        PatternHead { anchors, rule, down: self.down(step) }
     }
 
     /// The vertices that a fragment lists. `count_of` gives their number for each rule.
@@ -113,20 +113,20 @@ impl Records {
         &self.listed[first..first + count_of(self.head(step).rule)]
     }
 
-    fn down(&self, step: u32) -> Link {
+    fn down(&self, step: u32) -> PatternLink {
         let at = step as usize * HEAD_BITS as usize + 64 + RULE_BITS as usize;
-        Link::of_bits(self.heads.get(at, LINK_BITS))
+        PatternLink::of_bits(self.heads.get(at, LINK_BITS))
     }
 
     fn loop_count(&self, step: u32) -> usize {
         self.counts.get(step as usize * LOOP_BITS as usize, LOOP_BITS) as usize
     }
 
-    fn link(&self, step: u32, loop_index: u32) -> Link {
+    fn link(&self, step: u32, loop_index: u32) -> PatternLink {
         let block = step as usize / BLOCK;
         let before: usize = ((block * BLOCK) as u32..step).map(|step| self.loop_count(step)).sum();
         let at = self.firsts[block][0] as usize + before + loop_index as usize;
-        Link::of_bits(self.links.get(at * LINK_BITS as usize, LINK_BITS))
+        PatternLink::of_bits(self.links.get(at * LINK_BITS as usize, LINK_BITS))
     }
 
     /// The fragments that a fragment covers, in the order of its loop.

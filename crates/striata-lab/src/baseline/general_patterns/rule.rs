@@ -13,7 +13,7 @@ const MAX_LOCALS: usize = 255;
 
 /// The kind of a fragment, and the vertices that it is applied to.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Shape {
+pub(super) struct PatternShape {
     /// Counts of triangles of the ceiling and the floor, of own and of listed vertices; own vertices; listed
     /// vertices; the corners of the ceiling, then those of the floor, in the order of the walk.
     pub code: Vec<u8>,
@@ -44,7 +44,7 @@ impl<'a> Rule<'a> {
     }
 }
 
-impl Shape {
+impl PatternShape {
     /// Determines the shape of a fragment that restores the vertices `own`.
     ///
     /// # Errors
@@ -190,13 +190,13 @@ impl<'a> Pattern<'a> {
 
 /// All rules of a model, sorted by code.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct RuleTable {
+pub(super) struct PatternRuleTable {
     codes: Vec<u8>,
     /// First byte of each code, followed by the total length.
     firsts: Vec<u32>,
 }
 
-impl RuleTable {
+impl PatternRuleTable {
     pub(super) fn len(&self) -> usize {
         self.firsts.len() - 1
     }
@@ -213,11 +213,11 @@ impl RuleTable {
 
 /// Collects rules in order of appearance.
 #[derive(Debug, Default)]
-pub(super) struct RuleFinder {
+pub(super) struct PatternRuleFinder {
     indices: HashMap<Vec<u8>, u32>,
 }
 
-impl RuleFinder {
+impl PatternRuleFinder {
     pub(super) fn index_of(&mut self, code: Vec<u8>) -> u32 {
         let next = self.indices.len() as u32;
         *self.indices.entry(code).or_insert(next)
@@ -227,14 +227,14 @@ impl RuleFinder {
     ///
     /// # Errors
     /// If 16 bits cannot address all rules.
-    pub(super) fn finish(self) -> Result<(RuleTable, Vec<u32>), ModelError> {
+    pub(super) fn finish(self) -> Result<(PatternRuleTable, Vec<u32>), ModelError> {
         if self.indices.len() > MAX_RULES {
             let (found, limit) = (self.indices.len() as u64, MAX_RULES as u64);
             return Err(ModelError::Form { what: "rules", found, limit });
         }
         let mut sorted: Vec<(Vec<u8>, u32)> = self.indices.into_iter().collect();
         sorted.sort_unstable();
-        let mut table = RuleTable { codes: Vec::new(), firsts: vec![0] };
+        let mut table = PatternRuleTable { codes: Vec::new(), firsts: vec![0] };
         let mut new_indices = vec![0; sorted.len()];
         for (new, (code, old)) in (0..).zip(&sorted) {
             new_indices[*old as usize] = new;
@@ -261,21 +261,21 @@ mod tests {
     fn turned_fragments_have_one_rule() {
         let ring: [u32; 8] = std::array::from_fn(|i| 100 + (3 * i as u32) % 8);
         let (ceiling, floor) = edge_collapse(ring);
-        let shape = Shape::of(20..22, &ceiling, &floor).unwrap();
+        let shape = PatternShape::of(20..22, &ceiling, &floor).unwrap();
         let mut turned = ceiling.clone();
         turned.rotate_left(3);
         turned.iter_mut().for_each(|triangle| triangle.rotate_left(1));
-        assert_eq!(Shape::of(20..22, &turned, &floor).unwrap(), shape);
+        assert_eq!(PatternShape::of(20..22, &turned, &floor).unwrap(), shape);
         let mut other = ring;
         other.rotate_left(4);
         // Only the numbers of the two restored vertices differ.
         let (ceiling, floor) = edge_collapse(other);
-        let other = Shape::of(20..22, &ceiling, &floor).unwrap();
+        let other = PatternShape::of(20..22, &ceiling, &floor).unwrap();
         assert_eq!(other.code, shape.code);
         let mut code_bytes = shape.code;
         code_bytes.swap(4, 5);
         assert_ne!(code_bytes, other.code);
-        let table = RuleTable { firsts: vec![0, other.code.len() as u32], codes: other.code };
+        let table = PatternRuleTable { firsts: vec![0, other.code.len() as u32], codes: other.code };
         let rule = table.get(0);
         assert_eq!((rule.ceiling.len(), rule.floor.len(), rule.own.len()), (10, 8, 2));
         assert_eq!((rule.local_count, rule.listed), (11, &[10][..]));
@@ -284,10 +284,11 @@ mod tests {
 
     #[test]
     fn fragments_without_a_rule_are_reported() {
-        let reason = |ceiling: &[[u32; 3]], floor: &[[u32; 3]]| Shape::of(9..10, ceiling, floor).unwrap_err();
+        let reason =
+            |ceiling: &[[u32; 3]], floor: &[[u32; 3]]| PatternShape::of(9..10, ceiling, floor).unwrap_err();
         assert_eq!(reason(&[[9, 0, 1]], &[[0, 2, 3]]), "has a floor that shares no edge with its ceiling");
         // Both neighbors are known: as anchors, or because they are listed.
-        let attached = Shape::of(9..10, &[[9, 0, 1]], &[]).unwrap();
+        let attached = PatternShape::of(9..10, &[[9, 0, 1]], &[]).unwrap();
         assert!([0, 1].iter().all(|vertex| attached.vertices.contains(vertex)));
         assert_eq!(
             reason(&[[9, 0, 1], [9, 2, 3]], &[[0, 1, 2]]),

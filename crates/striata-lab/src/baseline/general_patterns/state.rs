@@ -6,8 +6,8 @@ use std::collections::HashMap;
 use striata::mesh::canonical_triangles;
 
 use super::GeneralPatterns;
-use super::records::Head;
-use crate::baseline::step_set::{Change, StepSet};
+use super::records::PatternHead;
+use crate::baseline::step_set::{StepSet, StepSetChange};
 
 /// Marks an empty slot, the end of a list, and a vertex that is not known yet.
 const NONE: u32 = u32::MAX;
@@ -75,14 +75,14 @@ impl GeneralPatternsState {
         assert_eq!(self.inserted.limit(), model.records.len(), "the state belongs to another model");
     }
 
-    pub(super) fn apply(&mut self, model: &GeneralPatterns, change: &Change) {
+    pub(super) fn apply(&mut self, model: &GeneralPatterns, change: &StepSetChange) {
         change.removed.iter().for_each(|&step| self.remove_fragment(model, step));
         change.inserted.iter().for_each(|&step| self.insert_fragment(model, step));
     }
 
     /// Replaces a fragment's floor, which must be shown, by its ceiling.
     fn insert_fragment(&mut self, model: &GeneralPatterns, step: u32) {
-        let Head { anchors, rule, .. } = model.records.head(step);
+        let PatternHead { anchors, rule, .. } = model.records.head(step);
         let rule = model.rules.get(rule as usize);
         let covered: Vec<u32> = model.records.covered(step).collect();
         let mut locals = vec![NONE; rule.local_count];
@@ -102,7 +102,7 @@ impl GeneralPatternsState {
 
     /// Replaces a fragment's ceiling, all of which must be shown, by its floor.
     fn remove_fragment(&mut self, model: &GeneralPatterns, step: u32) {
-        let Head { anchors, rule, .. } = model.records.head(step);
+        let PatternHead { anchors, rule, .. } = model.records.head(step);
         let rule = model.rules.get(rule as usize);
         let mut locals = vec![NONE; rule.local_count];
         locals[..2].copy_from_slice(&anchors);

@@ -4,8 +4,8 @@
 use striata::mesh::{CollapseSequence, RefinableMesh};
 use striata::model::StepVertices;
 
-use super::faces::{Faces, NONE, next, prev};
-use super::star::{Star, Surface};
+use super::faces::{HalfEdgeFaces, NONE, next, prev};
+use super::star::{CollapseStar, CollapsingSurface};
 use super::{
     HAS_CORNERS, HAS_LEFT, HAS_RIGHT, HAS_SECOND_RUN, HoppeProgressiveMeshes, HoppeProgressiveMeshesError,
     Split,
@@ -38,7 +38,7 @@ impl HoppeProgressiveMeshes {
         if found > limit {
             return Err(HoppeProgressiveMeshesError::Groups { found, limit });
         }
-        let mut surface = Surface::new(refinable)?;
+        let mut surface = CollapsingSurface::new(refinable)?;
         let mut drafts = Vec::with_capacity(sequence.step_count());
         for step in (0..sequence.step_count()).rev() {
             let vertex = sequence.step_vertices(step).start;
@@ -50,13 +50,13 @@ impl HoppeProgressiveMeshes {
         for (index, group) in groups.iter().enumerate() {
             group_of[group.range()].fill(index as u16);
         }
-        Ok(numbered(&surface, sequence, &drafts, (&group_of, groups.len())))
+        Ok(numbered(&surface, sequence, &drafts, &group_of, groups.len()))
     }
 }
 
 /// Collapses the position of a step and returns its record.
 fn draft(
-    surface: &mut Surface<'_>,
+    surface: &mut CollapsingSurface<'_>,
     sequence: &CollapseSequence,
     step: usize,
 ) -> Result<DraftSplit, &'static str> {
@@ -88,8 +88,8 @@ fn draft(
 /// Replaces the corners of the run by their targets. Returns all corners around the step, unless they follow
 /// from the walk around the vertex.
 fn move_corners(
-    surface: &mut Surface<'_>,
-    star: &Star,
+    surface: &mut CollapsingSurface<'_>,
+    star: &CollapseStar,
     sequence: &CollapseSequence,
     vertex_count: usize,
 ) -> Vec<u32> {
@@ -109,7 +109,7 @@ fn move_corners(
 }
 
 /// Whether both vanishing faces have the target and the tip that a split finds for them.
-fn sides_are_plain(faces: &Faces, star: &Star) -> bool {
+fn sides_are_plain(faces: &HalfEdgeFaces, star: &CollapseStar) -> bool {
     let [left, right] = star.vanishing;
     // Target and tip of the vanishing faces.
     let of_left = || [next(left), prev(left)].map(|h| faces.corner(h));
@@ -143,10 +143,11 @@ fn sides_are_plain(faces: &Faces, star: &Star) -> bool {
 
 /// Numbers the faces in the order in which splits add them, and translates all half-edges.
 fn numbered(
-    surface: &Surface<'_>,
+    surface: &CollapsingSurface<'_>,
     sequence: &CollapseSequence,
     drafts: &[DraftSplit],
-    (group_of, group_count): (&[u16], usize),
+    group_of: &[u16],
+    group_count: usize,
 ) -> HoppeProgressiveMeshes {
     let is_shown = |&face: &usize| surface.shown_from[face] != u32::MAX;
     let mut counts = vec![0; group_count];

@@ -7,7 +7,7 @@ pub(super) const NONE: u32 = u32::MAX;
 
 /// The faces of a surface.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Faces {
+pub(super) struct HalfEdgeFaces {
     /// Vertex from which each half-edge leads.
     pub corners: Vec<u32>,
     /// Opposite half-edge of each, or [`NONE`].
@@ -26,7 +26,7 @@ pub(super) fn prev(half_edge: u32) -> u32 {
     if half_edge.is_multiple_of(3) { half_edge + 2 } else { half_edge - 1 }
 }
 
-impl Faces {
+impl HalfEdgeFaces {
     #[inline]
     pub(super) fn corner(&self, half_edge: u32) -> u32 {
         self.corners[half_edge as usize]

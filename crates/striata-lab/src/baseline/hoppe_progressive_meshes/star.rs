@@ -5,13 +5,13 @@ use std::collections::HashMap;
 use striata::mesh::{PositionIndex, RefinableMesh, is_proper};
 
 use super::HoppeProgressiveMeshesError;
-use super::faces::{Faces, NONE, next, prev};
+use super::faces::{HalfEdgeFaces, NONE, next, prev};
 
 /// A manifold surface whose positions are removed one by one.
-pub(super) struct Surface<'r> {
+pub(super) struct CollapsingSurface<'r> {
     positions: &'r PositionIndex,
     /// Faces in the order of the mesh's triangles; removed ones keep their last corners.
-    pub faces: Faces,
+    pub faces: HalfEdgeFaces,
     /// The split count from which each face is shown.
     pub shown_from: Vec<u32>,
     /// Half-edges that leave each position, possibly with some that no longer do.
@@ -20,7 +20,7 @@ pub(super) struct Surface<'r> {
 
 /// The faces around a position that collapses.
 #[derive(Debug)]
-pub(super) struct Star {
+pub(super) struct CollapseStar {
     /// First half-edge of each vanishing face, which leaves the position: toward the target in the left
     /// face, away from it in the right one; or [`NONE`].
     pub vanishing: [u32; 2],
@@ -30,7 +30,7 @@ pub(super) struct Star {
     pub second_run: Option<Vec<u32>>,
 }
 
-impl<'r> Surface<'r> {
+impl<'r> CollapsingSurface<'r> {
     /// # Errors
     /// If an edge is not that of an oriented manifold surface.
     pub(super) fn new(refinable: &'r RefinableMesh) -> Result<Self, HoppeProgressiveMeshesError> {
@@ -40,7 +40,7 @@ impl<'r> Surface<'r> {
         let corners = triangles.as_flattened().to_vec();
         let mut surface = Self {
             positions,
-            faces: Faces { twins: vec![NONE; corners.len()], corners },
+            faces: HalfEdgeFaces { twins: vec![NONE; corners.len()], corners },
             shown_from: triangles.iter().map(|t| if is_shown(t) { 0 } else { u32::MAX }).collect(),
             leaving: vec![Vec::new(); positions.position_count()],
         };
@@ -77,7 +77,7 @@ impl<'r> Surface<'r> {
     ///
     /// # Errors
     /// The reason why the faces are not those of a vertex split.
-    pub(super) fn star(&mut self, position: u32, target: u32) -> Result<Star, &'static str> {
+    pub(super) fn star(&mut self, position: u32, target: u32) -> Result<CollapseStar, &'static str> {
         let around = std::mem::take(&mut self.leaving[position as usize]);
         let is_here = |&h: &u32| self.shown_from[h as usize / 3] == 0 && self.position(h) == position;
         let around: Vec<u32> = around.into_iter().filter(is_here).collect();
@@ -102,7 +102,7 @@ impl<'r> Surface<'r> {
     }
 
     /// Walks around a position from the vanishing faces, at most `limit` faces far.
-    fn runs(&self, left: u32, right: u32, limit: usize) -> Star {
+    fn runs(&self, left: u32, right: u32, limit: usize) -> CollapseStar {
         let faces = &self.faces;
         let walk = |from: u32, turn: &dyn Fn(u32) -> u32, stop: u32| {
             let steps = std::iter::successors(Some(turn(from)), |&h| (h != NONE).then(|| turn(h)));
@@ -116,16 +116,16 @@ impl<'r> Surface<'r> {
         if left == NONE {
             let (mut run, _) = walk(right, &backward, NONE);
             run.reverse();
-            return Star { vanishing, run, second_run: None };
+            return CollapseStar { vanishing, run, second_run: None };
         }
         let (run, is_closed) = walk(left, &forward, right);
         let second_run = (right != NONE && !is_closed).then(|| walk(right, &backward, NONE).0);
-        Star { vanishing, run, second_run }
+        CollapseStar { vanishing, run, second_run }
     }
 
     /// Passes the half-edges of a run to the target, whose corners have been set, and removes the vanishing
     /// faces.
-    pub(super) fn collapse(&mut self, star: &Star, step: usize, target: u32) {
+    pub(super) fn collapse(&mut self, star: &CollapseStar, step: usize, target: u32) {
         let [left, right] = star.vanishing;
         let faces = &mut self.faces;
         if left != NONE && right != NONE && faces.twin(prev(left)) == right {

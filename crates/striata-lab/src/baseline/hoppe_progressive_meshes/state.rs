@@ -1,6 +1,6 @@
 //! State of one instance: its faces, and how it splits and collapses vertices.
 
-use super::faces::{Faces, NONE, next, prev};
+use super::faces::{HalfEdgeFaces, NONE, next, prev};
 use super::{HAS_CORNERS, HAS_LEFT, HAS_RIGHT, HAS_SECOND_RUN, HoppeProgressiveMeshes, Split};
 use striata::model::LodModel;
 
@@ -11,7 +11,7 @@ pub struct HoppeProgressiveMeshesState {
     split_count: usize,
     /// End of the extra words of the last refined step.
     extra_cursor: usize,
-    faces: Faces,
+    faces: HalfEdgeFaces,
     /// Number of faces shown in each group.
     live_counts: Vec<u32>,
     /// Scratch: the half-edges that leave the vertex of a step in its runs.
@@ -39,7 +39,7 @@ impl HoppeProgressiveMeshesState {
     /// An instance that shows the base.
     fn base(model: &HoppeProgressiveMeshes) -> Self {
         let corner_count = 3 * model.face_count();
-        let mut faces = Faces { corners: vec![0; corner_count], twins: vec![NONE; corner_count] };
+        let mut faces = HalfEdgeFaces { corners: vec![0; corner_count], twins: vec![NONE; corner_count] };
         let mut at = 0;
         for (&first, &count) in model.group_offsets.iter().zip(&model.base_counts) {
             let (to, count) = (3 * first as usize, count as usize);
@@ -136,15 +136,15 @@ impl HoppeProgressiveMeshesState {
             at = faces.turned(at);
         }
         let left = match self.run.first() {
-            Some(&first) => Side::of_left(faces, first),
-            None => Side::outside(faces, split.half_edge, split.code & HAS_LEFT != 0),
+            Some(&first) => CornerSide::of_left(faces, first),
+            None => CornerSide::outside(faces, split.half_edge, split.code & HAS_LEFT != 0),
         };
         if split.code & HAS_SECOND_RUN == 0 {
             let right = match self.run.last() {
-                Some(&last) => Side::of_right(faces, last),
+                Some(&last) => CornerSide::of_right(faces, last),
                 None if split.code & HAS_LEFT == 0 => left,
                 // The two new faces share two edges.
-                None => Side { inner: NONE, outer: faces.twin(split.half_edge), ..left },
+                None => CornerSide { inner: NONE, outer: faces.twin(split.half_edge), ..left },
             };
             return (RunEnds { left, right }, 0);
         }
@@ -155,8 +155,8 @@ impl HoppeProgressiveMeshesState {
             at = faces.turned_back(at);
         }
         let right = match count {
-            0 => Side::outside(faces, half_edge, false),
-            _ => Side::of_right(faces, half_edge),
+            0 => CornerSide::outside(faces, half_edge, false),
+            _ => CornerSide::of_right(faces, half_edge),
         };
         (RunEnds { left, right }, count)
     }
@@ -287,8 +287,8 @@ impl HoppeProgressiveMeshesState {
 /// Half-edges and corners on both sides of a run.
 #[derive(Clone, Copy)]
 struct RunEnds {
-    left: Side,
-    right: Side,
+    left: CornerSide,
+    right: CornerSide,
 }
 
 impl RunEnds {
@@ -301,7 +301,7 @@ impl RunEnds {
 
 /// Half-edges and corners on one side of a run before a face is put there.
 #[derive(Clone, Copy)]
-struct Side {
+struct CornerSide {
     /// The half-edge of the run that will be opposite to the new face, or [`NONE`].
     inner: u32,
     /// The half-edge outside that will be opposite to the new face, or [`NONE`].
@@ -312,22 +312,22 @@ struct Side {
     tip: u32,
 }
 
-impl Side {
+impl CornerSide {
     #[inline]
-    fn of_left(faces: &Faces, first: u32) -> Self {
+    fn of_left(faces: &HalfEdgeFaces, first: u32) -> Self {
         let tip = faces.corner(next(first));
         Self { inner: first, outer: faces.twin(first), target: faces.corner(first), tip }
     }
 
     #[inline]
-    fn of_right(faces: &Faces, last: u32) -> Self {
+    fn of_right(faces: &HalfEdgeFaces, last: u32) -> Self {
         let inner = prev(last);
         Self { inner, outer: faces.twin(inner), target: faces.corner(last), tip: faces.corner(inner) }
     }
 
     /// A side without a run: `outer` leads toward the target on the left, and away from it on the right.
     #[inline]
-    fn outside(faces: &Faces, outer: u32, is_left: bool) -> Self {
+    fn outside(faces: &HalfEdgeFaces, outer: u32, is_left: bool) -> Self {
         let (here, there) = (faces.corner(outer), faces.corner(next(outer)));
         let [target, tip] = if is_left { [there, here] } else { [here, there] };
         Self { inner: NONE, outer, target, tip }

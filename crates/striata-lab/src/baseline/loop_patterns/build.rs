@@ -11,9 +11,9 @@ use striata::mesh::{FragmentSequence, FragmentedMesh};
 use striata::model::{ModelError, StepVertices};
 
 use super::LoopPatterns;
-use super::records::{Head, Link, MAX_LOOPS, Records};
-use super::rule::{RuleFinder, Shape};
-use super::surface::Surface;
+use super::records::{LoopHead, LoopLink, LoopRecords, MAX_LOOPS};
+use super::rule::{LoopShape, RuleFinder};
+use super::surface::LoopSurface;
 use crate::baseline::MultiTriangulation;
 
 const NO_STEP: u32 = FragmentSequence::NO_STEP;
@@ -40,7 +40,7 @@ impl LoopPatterns {
         let is_in_full_mesh = |face: &u32| replacing_steps[*face as usize] == NO_STEP;
         let full = (0..corners.len() as u32).filter(is_in_full_mesh);
         let mut builder =
-            Builder::new(&corners, levels.base_vertex_count() as u32, levels.step_count(), full)?;
+            LoopPatternsBuilder::new(&corners, levels.base_vertex_count() as u32, levels.step_count(), full)?;
         let mut ceiling = Vec::new();
         for step in (0..levels.step_count() as u32).rev() {
             ceiling.clear();
@@ -66,7 +66,7 @@ impl LoopPatterns {
         let corners: Vec<[u32; 3]> = triangles.iter().map(|triangle| triangle.corners).collect();
         let upper = |index: u32| triangles[index as usize].upper;
         let full = (0..corners.len() as u32).filter(|&index| upper(index) == NO_STEP);
-        let mut builder = Builder::new(&corners, base_vertex_count as u32, step_count, full)?;
+        let mut builder = LoopPatternsBuilder::new(&corners, base_vertex_count as u32, step_count, full)?;
         for step in (0..step_count as u32).rev() {
             let ceiling = explicit.ceiling(step);
             let covers = ceiling.iter().map(|&index| upper(index)).collect();
@@ -95,7 +95,7 @@ pub(in crate::baseline) fn check_form(
 }
 
 /// Builds the model from fragments that arrive from the finest to the coarsest.
-struct Builder<'a> {
+struct LoopPatternsBuilder<'a> {
     /// Corners of the triangles of all levels.
     corners: &'a [[u32; 3]],
     base_vertex_count: u32,
@@ -103,7 +103,7 @@ struct Builder<'a> {
     sides: HashMap<u64, u32, BuildHasherDefault<SideHasher>>,
     rules: RuleFinder,
     /// The head of each step.
-    heads: Vec<Head>,
+    heads: Vec<LoopHead>,
     /// For each fragment, the triangle that identifies it: the floor triangle at its anchors, or the
     /// triangle it is attached to.
     anchored_at: Vec<u32>,
@@ -116,10 +116,10 @@ struct Builder<'a> {
     attached: HashMap<u32, Vec<u32>>,
     /// By step: its first link and its number of links.
     link_ranges: Vec<[u32; 2]>,
-    links: Vec<Link>,
+    links: Vec<LoopLink>,
 }
 
-impl<'a> Builder<'a> {
+impl<'a> LoopPatternsBuilder<'a> {
     fn new(
         corners: &'a [[u32; 3]],
         base_vertex_count: u32,
@@ -139,7 +139,7 @@ impl<'a> Builder<'a> {
             link_ranges: vec![[0; 2]; step_count],
             links: Vec::new(),
         };
-        let head = |step| Head { anchors: [0; 2], rule: 0, down: Link::back_to(step) };
+        let head = |step| LoopHead { anchors: [0; 2], rule: 0, down: LoopLink::back_to(step) };
         builder.heads.extend((0..step_count as u32).map(head));
         for (place, triangle) in full.enumerate() {
             if !builder.add_edges(triangle) {
@@ -167,7 +167,8 @@ impl<'a> Builder<'a> {
     ) -> Result<(), ModelError> {
         let refused = |reason| ModelError::Step { step: step as usize, reason };
         let of = |list: &[u32]| list.iter().map(|&t| self.corners[t as usize]).collect::<Vec<_>>();
-        let shape = Shape::of(self.base_vertex_count + step, &of(ceiling), &of(floor)).map_err(refused)?;
+        let shape =
+            LoopShape::of(self.base_vertex_count + step, &of(ceiling), &of(floor)).map_err(refused)?;
         for &triangle in ceiling {
             let [a, b, c] = self.corners[triangle as usize];
             for side in [[a, b], [b, c], [c, a]] {
@@ -233,8 +234,8 @@ impl<'a> Builder<'a> {
     fn add_to_loops(&mut self, step: u32, ceiling: &[u32], covers: &[u32]) {
         self.link_ranges[step as usize] = [self.links.len() as u32, covers.len() as u32];
         for (index, &cover) in covers.iter().enumerate() {
-            let own = Link::to(step, index);
-            let Head { anchors, down, .. } = self.heads[cover as usize];
+            let own = LoopLink::to(step, index);
+            let LoopHead { anchors, down, .. } = self.heads[cover as usize];
             let leads = ceiling.contains(&self.anchored_at[cover as usize]);
             if !leads && ceiling.iter().any(|&t| has_side(&self.corners[t as usize], anchors)) {
                 self.rivals.push([cover, step]);
@@ -267,7 +268,7 @@ impl<'a> Builder<'a> {
             return Err(ModelError::Step { step: *cover as usize, reason });
         }
         let base = &self.corners[..base_triangle_count];
-        Surface::new(base, self.base_vertex_count as usize)
+        LoopSurface::new(base, self.base_vertex_count as usize)
             .map_err(|(place, reason)| ModelError::Listed { what: "triangle of the base", place, reason })?;
         let of_base = 0..base_triangle_count as u32;
         covers.extend(of_base.flat_map(|triangle| self.attached.remove(&triangle).unwrap_or_default()));
@@ -275,9 +276,9 @@ impl<'a> Builder<'a> {
         covers.sort_unstable();
         covers.dedup();
         let (rules, new_indices) = self.rules.finish()?;
-        let mut records = Records::default();
+        let mut records = LoopRecords::default();
         for (head, &[first, count]) in self.heads.iter().zip(&self.link_ranges) {
-            let head = Head { rule: new_indices[head.rule as usize], ..*head };
+            let head = LoopHead { rule: new_indices[head.rule as usize], ..*head };
             records.push(&head, &self.links[first as usize..(first + count) as usize]);
         }
         Ok(LoopPatterns {

@@ -40,10 +40,10 @@ mod state;
 mod surface;
 
 pub(super) use self::build::check_form;
-use self::records::Records;
-pub(super) use self::rule::{Rule, RuleTable, Shape};
+use self::records::LoopRecords;
+pub(super) use self::rule::{LoopRuleTable, LoopShape, Rule};
 pub use self::state::LoopPatternsState;
-pub(super) use self::surface::{Region, Side, Surface};
+pub(super) use self::surface::{LoopRegion, LoopSurface, Side};
 use striata::model::{DrawCounts, LodModel, PartBytes, StepVertices, StoredModel, Topology};
 
 use crate::paper_bytes::{Accounting, PaperBytes, pattern_bytes};
@@ -55,8 +55,8 @@ pub struct LoopPatterns {
     base: Vec<[u32; 3]>,
     /// Fragments that replace triangles of the base or are attached to them, ascending.
     base_covers: Vec<u32>,
-    rules: RuleTable,
-    records: Records,
+    rules: LoopRuleTable,
+    records: LoopRecords,
 }
 
 impl LoopPatterns {

@@ -28,12 +28,12 @@ const WORDS_PER_BLOCK: usize = 2;
 
 /// An element of a loop: the next fragment, and which of its loops continues this one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Link {
+pub(super) struct LoopLink {
     pub step: u32,
     loop_index: u32,
 }
 
-impl Link {
+impl LoopLink {
     /// Returns the index of the loop that continues this one, among the loops of its fragment.
     pub(super) fn loop_index(self) -> usize {
         self.loop_index as usize
@@ -64,15 +64,15 @@ impl Link {
 
 /// The part of a fragment's record that precedes its links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Head {
+pub(super) struct LoopHead {
     pub anchors: [u32; 2],
     pub rule: u32,
-    pub down: Link,
+    pub down: LoopLink,
 }
 
 /// The records of all fragments of a model.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Records {
+pub(super) struct LoopRecords {
     count: usize,
     heads: Bits,
     /// Number of loops through each fragment, sixteen per word.
@@ -83,9 +83,9 @@ pub(super) struct Records {
     firsts: Vec<u32>,
 }
 
-impl Records {
+impl LoopRecords {
     /// Appends the record of a fragment.
-    pub(super) fn push(&mut self, head: &Head, links: &[Link]) {
+    pub(super) fn push(&mut self, head: &LoopHead, links: &[LoopLink]) {
         if self.count.is_multiple_of(COUNTS_PER_WORD) {
             if self.counts.len().is_multiple_of(WORDS_PER_BLOCK) {
                 self.firsts.push(self.link_count as u32);
@@ -112,17 +112,17 @@ impl Records {
     }
 
     #[inline]
-    pub(super) fn head(&self, step: u32) -> Head {
+    pub(super) fn head(&self, step: u32) -> LoopHead {
         let at = step as usize * HEAD_BITS as usize;
         let anchors = [0, 32].map(|behind| self.heads.get(at + behind, 32) as u32);
         let rule = self.heads.get(at + 64, RULE_BITS) as u32;
-        Head { anchors, rule, down: self.down(step) }
+        LoopHead { anchors, rule, down: self.down(step) }
     }
 
     #[inline]
-    pub(super) fn down(&self, step: u32) -> Link {
+    pub(super) fn down(&self, step: u32) -> LoopLink {
         let at = step as usize * HEAD_BITS as usize + 64 + RULE_BITS as usize;
-        Link::of_bits(self.heads.get(at, LINK_BITS))
+        LoopLink::of_bits(self.heads.get(at, LINK_BITS))
     }
 
     #[inline]
@@ -132,14 +132,14 @@ impl Records {
     }
 
     #[inline]
-    fn link(&self, step: u32, loop_index: u32) -> Link {
+    fn link(&self, step: u32, loop_index: u32) -> LoopLink {
         let word = step as usize / COUNTS_PER_WORD;
         let block = word / WORDS_PER_BLOCK;
         let mut at = self.firsts[block] as usize + loop_index as usize;
         at += self.counts[block * WORDS_PER_BLOCK..word].iter().map(|&counts| sum(counts)).sum::<usize>();
         let before = (1u64 << (4 * (step as usize % COUNTS_PER_WORD))) - 1;
         at += sum(self.counts[word] & before);
-        Link::of_bits(self.links.get(at * LINK_BITS as usize, LINK_BITS))
+        LoopLink::of_bits(self.links.get(at * LINK_BITS as usize, LINK_BITS))
     }
 
     /// The fragments that a fragment covers, in the order of its loop.
@@ -188,16 +188,16 @@ mod tests {
 
     #[test]
     fn loops_are_followed_both_ways() {
-        let head = |down| Head { anchors: [u32::MAX, 7], rule: 4095, down };
-        let mut records = Records::default();
+        let head = |down| LoopHead { anchors: [u32::MAX, 7], rule: 4095, down };
+        let mut records = LoopRecords::default();
         // 70 covers 68 and 3, 69 covers 3; all others cover nothing.
         for step in 0..71 {
             let (down, links) = match step {
-                3 => (Link::back_to(3), vec![Link::back_to(70), Link::back_to(69)]),
-                68 => (Link::back_to(68), vec![Link::to(3, 0)]),
-                69 => (Link::to(3, 1), vec![]),
-                70 => (Link::to(68, 0), vec![]),
-                other => (Link::back_to(other), vec![]),
+                3 => (LoopLink::back_to(3), vec![LoopLink::back_to(70), LoopLink::back_to(69)]),
+                68 => (LoopLink::back_to(68), vec![LoopLink::to(3, 0)]),
+                69 => (LoopLink::to(3, 1), vec![]),
+                70 => (LoopLink::to(68, 0), vec![]),
+                other => (LoopLink::back_to(other), vec![]),
             };
             records.push(&head(down), &links);
         }
@@ -205,7 +205,7 @@ mod tests {
         let covering = |step| records.covering(step).collect::<Vec<_>>();
         assert_eq!((covered(70), covered(69), covered(68)), (vec![68, 3], vec![3], vec![]));
         assert_eq!((covering(3), covering(68), covering(70)), (vec![70, 69], vec![70], vec![]));
-        assert_eq!(records.head(70), head(Link::to(68, 0)));
+        assert_eq!(records.head(70), head(LoopLink::to(68, 0)));
         assert_eq!((records.len(), records.link_count()), (71, 3));
     }
 

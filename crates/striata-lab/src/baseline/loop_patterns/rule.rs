@@ -29,7 +29,7 @@ const MAX_RING: usize = 255;
 
 /// The surroundings of a fragment: its ring, beginning at the anchors, and its code.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::baseline) struct Shape {
+pub(in crate::baseline) struct LoopShape {
     /// Vertices of the ring; the first two are the anchors.
     pub ring: Vec<u32>,
     /// 1 for an open ring or else 0, then the apexes: each triangle before its left part, and that before
@@ -78,7 +78,7 @@ impl<'a> Rule<'a> {
     }
 }
 
-impl Shape {
+impl LoopShape {
     /// Determines the shape of a fragment from its triangles.
     ///
     /// # Errors
@@ -193,13 +193,13 @@ fn code_from(sides: &[[u8; 3]], n: usize, start: usize, is_open: bool) -> Option
 
 /// All rules of a model, sorted by code.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(in crate::baseline) struct RuleTable {
+pub(in crate::baseline) struct LoopRuleTable {
     codes: Vec<u8>,
     /// First byte of each code, followed by the total length.
     firsts: Vec<u32>,
 }
 
-impl RuleTable {
+impl LoopRuleTable {
     pub(in crate::baseline) fn of<'a>(codes: impl Iterator<Item = &'a [u8]>) -> Self {
         let mut table = Self { codes: Vec::new(), firsts: vec![0] };
         for code in codes {
@@ -243,7 +243,7 @@ impl RuleFinder {
     ///
     /// # Errors
     /// If 12 bits cannot address all rules.
-    pub(super) fn finish(self) -> Result<(RuleTable, Vec<u32>), ModelError> {
+    pub(super) fn finish(self) -> Result<(LoopRuleTable, Vec<u32>), ModelError> {
         if self.indices.len() > MAX_RULES {
             let (found, limit) = (self.indices.len() as u64, MAX_RULES as u64);
             return Err(ModelError::Form { what: "rules", found, limit });
@@ -255,7 +255,7 @@ impl RuleFinder {
             .iter()
             .zip(0..)
             .for_each(|((_, old_index), new_index)| new_indices[*old_index as usize] = new_index);
-        Ok((RuleTable::of(sorted.iter().map(|(code, _)| &code[..])), new_indices))
+        Ok((LoopRuleTable::of(sorted.iter().map(|(code, _)| &code[..])), new_indices))
     }
 }
 
@@ -272,7 +272,7 @@ mod tests {
     #[test]
     fn code_of_the_drawing_is_as_documented() {
         let floor = [[0, 1, 3], [1, 2, 3], [0, 3, 4]];
-        let shape = Shape::of(9, &fan(&[0, 1, 2, 3, 4], true), &floor).unwrap();
+        let shape = LoopShape::of(9, &fan(&[0, 1, 2, 3, 4], true), &floor).unwrap();
         assert_eq!((shape.ring, shape.code), (vec![0, 1, 2, 3, 4], vec![1, 3, 2, 4]));
     }
 
@@ -281,14 +281,14 @@ mod tests {
         let zigzag = |turn: u32| {
             let at = |i: u32| (i + turn) % 6;
             let floor = [[0, 1, 5], [1, 2, 5], [2, 4, 5], [2, 3, 4]].map(|t| t.map(at));
-            Shape::of(9, &fan(&[0, 1, 2, 3, 4, 5], false), &floor).unwrap()
+            LoopShape::of(9, &fan(&[0, 1, 2, 3, 4, 5], false), &floor).unwrap()
         };
         assert!((1..6).all(|turn| zigzag(turn).code == zigzag(0).code));
         // The zigzag looks the same from its other end, so the ring begins at the smaller of the two
         // vertices.
         assert!(zigzag(3).ring == zigzag(0).ring && zigzag(1).ring == zigzag(4).ring);
         let mirrored = [[0, 1, 5], [1, 4, 5], [1, 2, 4], [2, 3, 4]];
-        let mirrored = Shape::of(9, &fan(&[0, 1, 2, 3, 4, 5], false), &mirrored).unwrap();
+        let mirrored = LoopShape::of(9, &fan(&[0, 1, 2, 3, 4, 5], false), &mirrored).unwrap();
         assert_ne!(mirrored.code, zigzag(0).code);
     }
 
@@ -314,7 +314,7 @@ mod tests {
             let mut finder = RuleFinder::default();
             for floor in cuts(0, n - 1) {
                 let floor: Vec<_> = floor.iter().map(|t| t.map(|i| ring[i as usize])).collect();
-                finder.index_of(Shape::of(9, &fan(&ring, false), &floor).unwrap().code);
+                finder.index_of(LoopShape::of(9, &fan(&ring, false), &floor).unwrap().code);
             }
             assert_eq!(finder.finish().unwrap().0.len(), expected, "{n} corners");
         }
@@ -322,7 +322,7 @@ mod tests {
 
     #[test]
     fn fragments_without_a_rule_are_reported() {
-        let reason = |ceiling: &[[u32; 3]], floor: &[[u32; 3]]| Shape::of(9, ceiling, floor).unwrap_err();
+        let reason = |ceiling: &[[u32; 3]], floor: &[[u32; 3]]| LoopShape::of(9, ceiling, floor).unwrap_err();
         let no_fan = "removes a vertex whose triangles are not one fan";
         assert_eq!(reason(&[[9, 0, 1], [9, 2, 3]], &[]), no_fan);
         assert_eq!(reason(&[[9, 0, 1], [9, 1, 2], [9, 0, 3]], &[]), no_fan);

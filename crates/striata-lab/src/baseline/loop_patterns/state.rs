@@ -3,9 +3,9 @@
 use striata::mesh::canonical_triangles;
 
 use super::LoopPatterns;
-use super::records::Head;
-use super::surface::{Region, Side, Surface};
-use crate::baseline::step_set::{Change, StepSet};
+use super::records::LoopHead;
+use super::surface::{LoopRegion, LoopSurface, Side};
+use crate::baseline::step_set::{StepSet, StepSetChange};
 
 /// State of one instance: a closed set of fragments and the triangulation that it shows.
 ///
@@ -13,9 +13,9 @@ use crate::baseline::step_set::{Change, StepSet};
 #[derive(Clone, Debug)]
 pub struct LoopPatternsState {
     pub(super) inserted: StepSet,
-    surface: Surface,
+    surface: LoopSurface,
     /// Scratch: the floor or fan being replaced.
-    region: Region,
+    region: LoopRegion,
     star: Vec<Side>,
 }
 
@@ -23,11 +23,11 @@ impl LoopPatternsState {
     pub(super) fn base(model: &LoopPatterns) -> Self {
         let step_count = model.records.len();
         let vertex_count = model.vertices.vertex_count();
-        let surface = Surface::new(&model.base, vertex_count);
+        let surface = LoopSurface::new(&model.base, vertex_count);
         Self {
             inserted: StepSet::new(step_count),
             surface: surface.expect("the base was checked when the model was built"),
-            region: Region::default(),
+            region: LoopRegion::default(),
             star: Vec::new(),
         }
     }
@@ -63,14 +63,14 @@ impl LoopPatternsState {
         assert_eq!(self.inserted.limit(), model.records.len(), "the state belongs to another model");
     }
 
-    pub(super) fn apply(&mut self, model: &LoopPatterns, change: &Change) {
+    pub(super) fn apply(&mut self, model: &LoopPatterns, change: &StepSetChange) {
         change.removed.iter().for_each(|&step| self.remove_fragment(model, step));
         change.inserted.iter().for_each(|&step| self.insert_fragment(model, step));
     }
 
     /// Replaces a fragment's floor, which must be shown, by its ceiling.
     pub(super) fn insert_fragment(&mut self, model: &LoopPatterns, step: u32) {
-        let Head { anchors: [a, b], rule, down } = model.records.head(step);
+        let LoopHead { anchors: [a, b], rule, down } = model.records.head(step);
         let rule = model.rules.get(rule as usize);
         let surface = &self.surface;
         if rule.apexes.is_empty() {
@@ -96,7 +96,7 @@ impl LoopPatternsState {
 
     /// Replaces a fragment's ceiling, all of which must be shown, by its floor.
     pub(super) fn remove_fragment(&mut self, model: &LoopPatterns, step: u32) {
-        let Head { anchors, rule, .. } = model.records.head(step);
+        let LoopHead { anchors, rule, .. } = model.records.head(step);
         let (vertex, rule) = (model.vertices.base_vertex_count() + step, model.rules.get(rule as usize));
         self.surface.find_fan(vertex, anchors[0], &mut self.region, &mut self.star);
         self.surface.replace_by_floor(vertex, rule, &mut self.region);

@@ -12,7 +12,7 @@ pub(in crate::baseline) const NONE: u32 = u32::MAX;
 
 /// A manifold surface of oriented triangles, possibly with borders.
 #[derive(Clone, Debug)]
-pub(in crate::baseline) struct Surface {
+pub(in crate::baseline) struct LoopSurface {
     corners: Vec<[u32; 3]>,
     across: Vec<[u32; 3]>,
     /// One triangle of each vertex, or [`NONE`].
@@ -21,18 +21,18 @@ pub(in crate::baseline) struct Surface {
 
 /// A region located by a walk: its ring, the triangles outside the ring and those inside.
 #[derive(Clone, Debug, Default)]
-pub(in crate::baseline) struct Region {
+pub(in crate::baseline) struct LoopRegion {
     /// Vertices of the ring, beginning at the first anchor.
     pub ring: Vec<u32>,
     /// For each vertex of the ring, the triangle across the side that begins there.
     outer: Vec<u32>,
     slots: Vec<u32>,
-    rings: Vec<Part>,
+    rings: Vec<RingPart>,
 }
 
 /// A part of a ring that remains to be triangulated, and the side from which it is entered.
 #[derive(Clone, Copy, Debug)]
-struct Part {
+struct RingPart {
     first: usize,
     /// Last corner; the ring's length denotes corner 0.
     last: usize,
@@ -49,7 +49,7 @@ fn next(side: usize) -> usize {
     if side == 2 { 0 } else { side + 1 }
 }
 
-impl Surface {
+impl LoopSurface {
     /// Connects triangles along their edges.
     ///
     /// # Errors
@@ -200,16 +200,16 @@ impl Surface {
 
     /// Matches the floor of a rule against the triangles, beginning at the given side: the comparison of
     /// \[KG98\], with a positioned rule. Returns false if the triangles differ or the ring is not simple.
-    pub(in crate::baseline) fn find_floor(&self, rule: Rule, start: Side, region: &mut Region) -> bool {
+    pub(in crate::baseline) fn find_floor(&self, rule: Rule, start: Side, region: &mut LoopRegion) -> bool {
         let n = rule.ring_len();
         let (slot, side) = start;
         region.start(n);
         region.ring[0] = self.corners[slot as usize][side];
         region.ring[1] = self.corners[slot as usize][next(side)];
         region.outer[0] = self.across[slot as usize][side];
-        region.rings.push(Part { first: 1, last: n, slot, side });
+        region.rings.push(RingPart { first: 1, last: n, slot, side });
         for &apex in rule.apexes {
-            let Some(Part { first, last, slot, side }) = region.rings.pop() else { return false };
+            let Some(RingPart { first, last, slot, side }) = region.rings.pop() else { return false };
             let m = usize::from(apex);
             let corners = &self.corners[slot as usize];
             let matches = corners[side] == region.ring[last % n] && corners[next(side)] == region.ring[first];
@@ -226,7 +226,7 @@ impl Surface {
                     return false;
                 } else {
                     let side = self.corner_of(across_side, region.ring[last % n]);
-                    region.rings.push(Part { first, last, slot: across_side, side });
+                    region.rings.push(RingPart { first, last, slot: across_side, side });
                 }
             }
         }
@@ -235,7 +235,7 @@ impl Surface {
 
     /// Whether the fan of an open ring can replace the located floor: the floor is at a border, or it
     /// closes a hole whose ends have no other border.
-    pub(in crate::baseline) fn is_openable(&self, region: &Region, star: &mut Vec<Side>) -> bool {
+    pub(in crate::baseline) fn is_openable(&self, region: &LoopRegion, star: &mut Vec<Side>) -> bool {
         let ends = [region.ring[0], region.ring[region.ring.len() - 1]];
         region.outer.last() == Some(&NONE) || ends.into_iter().all(|end| self.star_into(end, star))
     }
@@ -243,13 +243,13 @@ impl Surface {
     /// The triangles of a located floor.
     pub(in crate::baseline) fn region_corners<'f>(
         &'f self,
-        region: &'f Region,
+        region: &'f LoopRegion,
     ) -> impl Iterator<Item = [u32; 3]> + 'f {
         region.slots.iter().map(|&slot| self.corners[slot as usize])
     }
 
     /// Locates the fan and the ring of a vertex, beginning at an anchor.
-    pub(super) fn find_fan(&self, vertex: u32, anchor: u32, region: &mut Region, star: &mut Vec<Side>) {
+    pub(super) fn find_fan(&self, vertex: u32, anchor: u32, region: &mut LoopRegion, star: &mut Vec<Side>) {
         let is_closed = self.star_into(vertex, star);
         let after = |&(slot, corner): &Side| self.corners[slot as usize][next(corner)];
         if is_closed {
@@ -269,7 +269,7 @@ impl Surface {
     }
 
     /// Replaces a located floor by the fan of a new vertex.
-    pub(in crate::baseline) fn replace_by_fan(&mut self, vertex: u32, rule: Rule, region: &mut Region) {
+    pub(in crate::baseline) fn replace_by_fan(&mut self, vertex: u32, rule: Rule, region: &mut LoopRegion) {
         let (n, count) = (rule.ring_len(), rule.ceiling_len());
         while region.slots.len() < count {
             region.slots.push(self.corners.len() as u32);
@@ -300,7 +300,7 @@ impl Surface {
     }
 
     /// Replaces the located fan of a vertex by a floor.
-    pub(super) fn replace_by_floor(&mut self, vertex: u32, rule: Rule, region: &mut Region) {
+    pub(super) fn replace_by_floor(&mut self, vertex: u32, rule: Rule, region: &mut LoopRegion) {
         let n = rule.ring_len();
         debug_assert_eq!(region.ring.len(), n, "the fan is another rule's");
         self.triangle_at[vertex as usize] = NONE;
@@ -311,7 +311,7 @@ impl Surface {
             self.join(region.outer[0], [last, first], NONE);
             [first, last].iter().for_each(|&v| self.triangle_at[v as usize] = region.outer[0]);
         } else {
-            region.rings.push(Part { first: 1, last: n, slot: region.outer[0], side: 3 });
+            region.rings.push(RingPart { first: 1, last: n, slot: region.outer[0], side: 3 });
         }
         for (at, &apex) in rule.apexes.iter().enumerate() {
             let part = region.rings.pop().expect("a rule is a tree");
@@ -328,7 +328,7 @@ impl Surface {
             }
             for (first, last, side) in [(m, part.last, 2), (part.first, m, 1)] {
                 if last - first > 1 {
-                    region.rings.push(Part { first, last, slot, side });
+                    region.rings.push(RingPart { first, last, slot, side });
                     continue;
                 }
                 self.across[slot as usize][side] = region.outer[first];
@@ -388,7 +388,7 @@ impl Surface {
     }
 }
 
-impl Region {
+impl LoopRegion {
     fn start(&mut self, n: usize) {
         self.ring.clear();
         self.ring.resize(n, NONE);

@@ -3,7 +3,7 @@
 use striata::mesh::FragmentSequence;
 
 use super::MultiTriangulation;
-use crate::baseline::step_set::{Change, StepSet};
+use crate::baseline::step_set::{StepSet, StepSetChange};
 
 const NO_STEP: u32 = FragmentSequence::NO_STEP;
 
@@ -76,11 +76,11 @@ impl MultiTriangulationState {
         );
     }
 
-    pub(super) fn level_change(&self, split_count: usize) -> Change {
+    pub(super) fn level_change(&self, split_count: usize) -> StepSetChange {
         self.inserted.change_to_level(split_count)
     }
 
-    pub(super) fn apply(&mut self, model: &MultiTriangulation, change: &Change) {
+    pub(super) fn apply(&mut self, model: &MultiTriangulation, change: &StepSetChange) {
         change.removed.iter().for_each(|&step| self.remove(model, step));
         change.inserted.iter().for_each(|&step| self.insert(model, step));
     }

@@ -19,7 +19,7 @@ impl OriginalLodStrips {
         let vertices = StepVertices::of_sequence(&refinable.sequence).into_owned();
         let mut slots_of = slots_by_vertex(strips, vertices.vertex_count());
         check_size(&vertices, &slots_of)?;
-        let mut shown = ShownStrips::new(strips);
+        let mut shown = CountedStrips::new(strips);
         let mut reversed = Vec::new();
         let mut ends = vec![0];
         for vertex in (vertices.base_vertex_count()..vertices.vertex_count() as u32).rev() {
@@ -64,7 +64,7 @@ fn check_size(vertices: &StepVertices<'_>, slots_of: &[Vec<u32>]) -> Result<(), 
 }
 
 /// The strips while their vertices collapse, with the number of triangles left in each.
-struct ShownStrips<'s> {
+struct CountedStrips<'s> {
     strips: &'s StripSet,
     indices: Vec<u32>,
     /// Whether the triangle that begins at each slot has three distinct corners.
@@ -72,7 +72,7 @@ struct ShownStrips<'s> {
     shown_counts: Vec<u32>,
 }
 
-impl<'s> ShownStrips<'s> {
+impl<'s> CountedStrips<'s> {
     fn new(strips: &'s StripSet) -> Self {
         let mut shown = Self {
             strips,

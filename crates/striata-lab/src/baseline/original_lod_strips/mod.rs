@@ -94,7 +94,7 @@ impl OriginalLodStrips {
     fn substitute(&self, indices: &mut [u32], vertex: u32, shown: u32) {
         let change = (vertex - self.vertices.base_vertex_count()) as usize;
         let [start, end] = [change, change + 1].map(|i| self.change_offsets[i] as usize);
-        for record in Records(&self.changes[start..end]) {
+        for record in StripRecords(&self.changes[start..end]) {
             let strip = &mut indices[self.strips.offsets()[record.strip as usize] as usize..];
             for &slot in record.slots {
                 strip[slot as usize] = shown;
@@ -104,23 +104,23 @@ impl OriginalLodStrips {
 }
 
 /// The part of a change that affects one strip.
-struct Record<'m> {
+struct StripRecord<'m> {
     strip: u32,
     slots: &'m [u32],
 }
 
 /// Iterator over the records of a change.
-struct Records<'m>(&'m [u32]);
+struct StripRecords<'m>(&'m [u32]);
 
-impl<'m> Iterator for Records<'m> {
-    type Item = Record<'m>;
+impl<'m> Iterator for StripRecords<'m> {
+    type Item = StripRecord<'m>;
 
     #[inline]
-    fn next(&mut self) -> Option<Record<'m>> {
+    fn next(&mut self) -> Option<StripRecord<'m>> {
         let [strip, slot_count, rest @ ..] = self.0 else { return None };
         let (slots, rest) = rest.split_at_checked(*slot_count as usize)?;
         self.0 = rest;
-        Some(Record { strip: *strip, slots })
+        Some(StripRecord { strip: *strip, slots })
     }
 }
 
@@ -201,7 +201,7 @@ impl PaperBytes for OriginalLodStrips {
     /// strip, a two-word `Change` per step, a three-word `RecordChange` (strip, number of collapses,
     /// pointer) per strip that a step affects, and a word per slot.
     fn paper_bytes(&self, accounting: Accounting) -> usize {
-        let record_count = Records(&self.changes).count();
+        let record_count = StripRecords(&self.changes).count();
         // The strip and count of each record are already among the words of `changes`.
         let changes = self.step_count() + self.changes.len();
         let integers = self.vertices.vertex_count() + self.strips.indices().len() + changes;

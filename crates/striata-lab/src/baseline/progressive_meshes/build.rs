@@ -5,7 +5,7 @@ use striata::mesh::{RefinableMesh, is_proper};
 use striata::model::StepVertices;
 
 use super::ProgressiveMeshes;
-use super::counts::{Counts, GroupIndices};
+use super::counts::{GroupIndices, PackedCounts};
 
 /// End of a chain of corners.
 const END: u32 = u32::MAX;
@@ -19,7 +19,7 @@ impl ProgressiveMeshes {
     /// # Panics
     /// If the mesh does not match the sequence: it refers to other vertices, or its groups do not tile it.
     pub fn build(refinable: &RefinableMesh) -> Self {
-        let mut builder = Builder::new(refinable);
+        let mut builder = ProgressiveMeshesBuilder::new(refinable);
         for step in (0..refinable.sequence.step_count()).rev() {
             builder.collapse(step);
         }
@@ -27,7 +27,7 @@ impl ProgressiveMeshes {
     }
 }
 
-struct Builder<'r> {
+struct ProgressiveMeshesBuilder<'r> {
     refinable: &'r RefinableMesh,
     /// The triangles at the current level; removed ones keep their last corners.
     triangles: Vec<[u32; 3]>,
@@ -44,7 +44,7 @@ struct Builder<'r> {
     moved: Vec<(u32, u32)>,
 }
 
-impl<'r> Builder<'r> {
+impl<'r> ProgressiveMeshesBuilder<'r> {
     fn new(refinable: &'r RefinableMesh) -> Self {
         let triangles = refinable.mesh.triangles.clone();
         let vertex_count = refinable.sequence.positions().vertex_count();
@@ -124,8 +124,8 @@ impl<'r> Builder<'r> {
             indices,
             group_offsets,
             corners: self.corners_in_list(&index_of),
-            corner_counts: Counts::of(&self.corner_counts),
-            removed_counts: Counts::of(&removed_counts),
+            corner_counts: PackedCounts::of(&self.corner_counts),
+            removed_counts: PackedCounts::of(&removed_counts),
             removed_groups: GroupIndices::of(removed.into_iter().map(|(_, group)| group), group_count),
         }
     }

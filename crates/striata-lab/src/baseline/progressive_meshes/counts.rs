@@ -7,13 +7,13 @@ const LONG: u8 = u8::MAX;
 
 /// An array of counts: one byte each, and an index-value pair for each of the few that do not fit.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Counts {
+pub(super) struct PackedCounts {
     short: Vec<u8>,
     /// Index and value of each long count, sorted.
     long: Vec<(u32, u32)>,
 }
 
-impl Counts {
+impl PackedCounts {
     pub(super) fn of(counts: &[u32]) -> Self {
         let short = |&count: &u32| u8::try_from(count).unwrap_or(LONG);
         let is_long = |&(_, count): &(u32, u32)| count >= u32::from(LONG);
@@ -96,7 +96,7 @@ mod tests {
     #[test]
     fn long_counts_are_stored_separately() {
         let all = [0, 254, 255, 3, 256, 70_000, 1, u32::MAX];
-        let counts = Counts::of(&all);
+        let counts = PackedCounts::of(&all);
         assert_eq!(counts.bytes(), 8 + 4 * 8);
         for (index, &count) in all.iter().enumerate() {
             assert_eq!(counts.get(index), count as usize);

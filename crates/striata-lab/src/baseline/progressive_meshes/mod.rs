@@ -26,7 +26,7 @@ mod state;
 
 use std::ops::Range;
 
-use self::counts::{Counts, GroupIndices};
+use self::counts::{GroupIndices, PackedCounts};
 pub use self::state::ProgressiveMeshesState;
 use striata::model::{DrawCounts, LodModel, PartBytes, StepVertices, Topology};
 
@@ -47,9 +47,9 @@ pub struct ProgressiveMeshes {
     /// base.
     corners: Vec<u32>,
     /// For each vertex above the base, its number of entries in `corners`.
-    corner_counts: Counts,
+    corner_counts: PackedCounts,
     /// For each step, the number of triangles that its collapse removes.
-    removed_counts: Counts,
+    removed_counts: PackedCounts,
     /// The groups of these triangles, by step.
     removed_groups: GroupIndices,
 }

@@ -13,7 +13,7 @@ pub struct PublishedFansState {
 
 /// A run of arcs of a ring: a triangle fan.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Run {
+pub(super) struct FanRun {
     /// First node.
     first: usize,
     /// Number of nodes, one more than triangles; the ring is cyclic.
@@ -127,7 +127,7 @@ impl PublishedFansState {
     }
 
     /// Visits the fans of all vertices that are shown (`glDrawSelectivePF`).
-    pub(super) fn for_each_run(&self, model: &PublishedFans, mut visit: impl FnMut(u32, Run)) {
+    pub(super) fn for_each_run(&self, model: &PublishedFans, mut visit: impl FnMut(u32, FanRun)) {
         for vertex in 0..model.vertex_count() as u32 {
             if model.step_of(vertex).is_some_and(|step| !self.is_refined(step)) {
                 continue;
@@ -144,7 +144,7 @@ impl PublishedFansState {
                 while arc < arc_count && is_set(arc) {
                     arc += 1;
                 }
-                visit(vertex, Run { first, count: arc - first + 1 });
+                visit(vertex, FanRun { first, count: arc - first + 1 });
             }
         }
     }

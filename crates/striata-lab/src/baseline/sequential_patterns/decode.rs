@@ -5,9 +5,9 @@ use striata::model::Bits;
 
 use super::{
     ANCHOR_BITS, FRAGMENT_BITS, LONG_NEIGHBOR, LONG_NEIGHBOR_BITS, LONG_RULE, LONG_RULE_BITS, NEIGHBOR_BITS,
-    Neighbors, OPENS_TWICE, RULE_BITS, SequentialPatternsError,
+    OPENS_TWICE, OrderedNeighbors, RULE_BITS, SequentialPatternsError,
 };
-use crate::baseline::loop_patterns::{Region, Rule, RuleTable, Surface};
+use crate::baseline::loop_patterns::{LoopRegion, LoopRuleTable, LoopSurface, Rule};
 
 /// Decodes one fragment after another and keeps the level that they lead to.
 #[derive(Debug)]
@@ -17,12 +17,12 @@ pub struct SequentialDecoder {
     step_count: usize,
     /// Number of fragments decoded.
     step: usize,
-    rules: RuleTable,
+    rules: LoopRuleTable,
     bits: Bits,
     at: usize,
-    surface: Surface,
-    neighbors: Neighbors,
-    region: Region,
+    surface: LoopSurface,
+    neighbors: OrderedNeighbors,
+    region: LoopRegion,
     sorted: Vec<u32>,
 }
 
@@ -45,7 +45,7 @@ impl SequentialDecoder {
         let word = |bytes: &[u8; 4]| u32::from_le_bytes(*bytes);
         let words: Vec<u32> = base.as_chunks().0.iter().map(word).collect();
         let base = words.as_chunks().0.to_vec();
-        let surface = Surface::new(&base, vertices as usize)
+        let surface = LoopSurface::new(&base, vertices as usize)
             .map_err(|(triangle, reason)| SequentialPatternsError::Base { triangle, reason })?;
         let rules = read_rules(rules as usize, &mut rest)?;
         check_bytes("the fragments", (steps * FRAGMENT_BITS as u64).div_ceil(8), rest)?;
@@ -60,8 +60,8 @@ impl SequentialDecoder {
             bits,
             at: 0,
             surface,
-            neighbors: Neighbors::default(),
-            region: Region::default(),
+            neighbors: OrderedNeighbors::default(),
+            region: LoopRegion::default(),
             sorted: Vec::new(),
         })
     }
@@ -213,7 +213,7 @@ fn check_count(what: &'static str, found: u64, limit: u64) -> Result<(), Sequent
     if found > limit { Err(SequentialPatternsError::Count { what, found, limit }) } else { Ok(()) }
 }
 
-fn read_rules(count: usize, rest: &mut &[u8]) -> Result<RuleTable, SequentialPatternsError> {
+fn read_rules(count: usize, rest: &mut &[u8]) -> Result<LoopRuleTable, SequentialPatternsError> {
     check_bytes("the rules", 2 * count as u64, rest)?;
     let mut codes = Vec::with_capacity(count);
     for rule in 0..count {
@@ -236,5 +236,5 @@ fn read_rules(count: usize, rest: &mut &[u8]) -> Result<RuleTable, SequentialPat
         }
         codes.push(code);
     }
-    Ok(RuleTable::of(codes.iter().map(|code| &code[..])))
+    Ok(LoopRuleTable::of(codes.iter().map(|code| &code[..])))
 }

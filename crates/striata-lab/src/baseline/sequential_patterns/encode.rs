@@ -6,10 +6,10 @@ use striata::mesh::{FragmentSequence, FragmentedMesh};
 use striata::model::{Bits, ModelError};
 
 use super::{
-    ANCHOR_BITS, LONG_NEIGHBOR, LONG_NEIGHBOR_BITS, LONG_RULE, LONG_RULE_BITS, NEIGHBOR_BITS, Neighbors,
-    OPENS_TWICE, RULE_BITS, SequentialPatterns,
+    ANCHOR_BITS, LONG_NEIGHBOR, LONG_NEIGHBOR_BITS, LONG_RULE, LONG_RULE_BITS, NEIGHBOR_BITS, OPENS_TWICE,
+    OrderedNeighbors, RULE_BITS, SequentialPatterns,
 };
-use crate::baseline::loop_patterns::{Region, Rule, Shape, Side, Surface, check_form};
+use crate::baseline::loop_patterns::{LoopRegion, LoopShape, LoopSurface, Rule, Side, check_form};
 
 impl SequentialPatterns {
     /// Encodes all levels of a mesh.
@@ -25,7 +25,7 @@ impl SequentialPatterns {
         let base_vertex_count = levels.base_vertex_count();
         let base: Vec<[u32; 3]> =
             fragments.faces()[..fragments.base_face_count()].iter().map(|face| face.corners).collect();
-        let surface = Surface::new(&base, base_vertex_count)
+        let surface = LoopSurface::new(&base, base_vertex_count)
             .map_err(|(place, reason)| ModelError::Listed { what: "triangle of the base", place, reason })?;
         if base_vertex_count > 3 * base.len() {
             let (found, limit) = (base_vertex_count as u64, 3 * base.len() as u64);
@@ -43,11 +43,11 @@ impl SequentialPatterns {
             bytes.extend_from_slice(&[rule.ring_len() as u8, u8::from(rule.is_open)]);
             bytes.extend_from_slice(rule.apexes);
         }
-        let mut writer = Writer {
+        let mut writer = SequentialPatternsWriter {
             surface,
             bits: Bits::default(),
-            neighbors: Neighbors::default(),
-            region: Region::default(),
+            neighbors: OrderedNeighbors::default(),
+            region: LoopRegion::default(),
             star: Vec::new(),
         };
         for (step, (shape, rule_index)) in shapes.iter().zip(rule_indices).enumerate() {
@@ -60,20 +60,20 @@ impl SequentialPatterns {
 }
 
 /// Determines the shape of each fragment.
-fn shapes_of(fragments: &FragmentSequence) -> Result<Vec<Shape>, ModelError> {
+fn shapes_of(fragments: &FragmentSequence) -> Result<Vec<LoopShape>, ModelError> {
     let base_vertex_count = fragments.levels().base_vertex_count();
     let corners = |face: u32| fragments.faces()[face as usize].corners;
     let shape = |step: usize| {
         let ceiling: Vec<_> = fragments.ceiling(step as u32).map(corners).collect();
         let floor: Vec<_> = fragments.floor(step as u32).iter().map(|&face| corners(face)).collect();
-        Shape::of((base_vertex_count + step) as u32, &ceiling, &floor)
+        LoopShape::of((base_vertex_count + step) as u32, &ceiling, &floor)
             .map_err(|reason| ModelError::Step { step, reason })
     };
     (0..fragments.step_count()).map(shape).collect()
 }
 
 /// The codes of all rules, most frequent first, and the rule index of each shape.
-fn sort_rules(shapes: &[Shape]) -> Result<(Vec<&[u8]>, Vec<u32>), ModelError> {
+fn sort_rules(shapes: &[LoopShape]) -> Result<(Vec<&[u8]>, Vec<u32>), ModelError> {
     let mut counts: HashMap<&[u8], u32> = HashMap::new();
     for shape in shapes {
         *counts.entry(&shape.code).or_insert(0) += 1;
@@ -89,16 +89,16 @@ fn sort_rules(shapes: &[Shape]) -> Result<(Vec<&[u8]>, Vec<u32>), ModelError> {
     Ok((sorted.into_iter().map(|(code, _)| code).collect(), rule_indices))
 }
 
-struct Writer {
-    surface: Surface,
+struct SequentialPatternsWriter {
+    surface: LoopSurface,
     bits: Bits,
-    neighbors: Neighbors,
-    region: Region,
+    neighbors: OrderedNeighbors,
+    region: LoopRegion,
     star: Vec<Side>,
 }
 
-impl Writer {
-    fn push(&mut self, vertex: u32, shape: &Shape, rule_index: u32) -> Result<(), &'static str> {
+impl SequentialPatternsWriter {
+    fn push(&mut self, vertex: u32, shape: &LoopShape, rule_index: u32) -> Result<(), &'static str> {
         let rule = Rule::of_code(&shape.code);
         let a = shape.ring[0];
         self.neighbors.find(&self.surface, a);
@@ -117,7 +117,7 @@ impl Writer {
     }
 
     /// Index of the second anchor among the neighbors of the first; leaves the floor in `region`.
-    fn find(&mut self, rule: Rule, shape: &Shape) -> Option<usize> {
+    fn find(&mut self, rule: Rule, shape: &LoopShape) -> Option<usize> {
         let [a, b] = [shape.ring[0], shape.ring[1]];
         let mut indices = 0..self.neighbors.count();
         if rule.apexes.is_empty() {

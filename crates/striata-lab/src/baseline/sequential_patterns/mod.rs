@@ -32,7 +32,7 @@ pub use self::decode::SequentialDecoder;
 pub use self::error::SequentialPatternsError;
 use striata::mesh::FragmentSequence;
 
-use crate::baseline::loop_patterns::{Side, Surface};
+use crate::baseline::loop_patterns::{LoopSurface, Side};
 
 /// Bits of a rule index, and of one that needs the escape.
 const RULE_BITS: u32 = 8;
@@ -91,15 +91,15 @@ pub fn decode_sequential(bytes: &[u8]) -> Result<FragmentSequence, SequentialPat
 
 /// The neighbors of a vertex, counterclockwise, derived from the triangles around it.
 #[derive(Debug, Default)]
-struct Neighbors {
+struct OrderedNeighbors {
     star: Vec<Side>,
     is_closed: bool,
     /// Index of the neighbor with the smallest vertex.
     smallest: usize,
 }
 
-impl Neighbors {
-    fn find(&mut self, surface: &Surface, vertex: u32) {
+impl OrderedNeighbors {
+    fn find(&mut self, surface: &LoopSurface, vertex: u32) {
         self.is_closed = surface.star_into(vertex, &mut self.star);
         self.smallest = (0..self.count()).min_by_key(|&index| self.vertex(surface, index)).unwrap_or(0);
     }
@@ -109,7 +109,7 @@ impl Neighbors {
         self.star.len() + usize::from(!self.is_closed && !self.star.is_empty())
     }
 
-    fn vertex(&self, surface: &Surface, index: usize) -> u32 {
+    fn vertex(&self, surface: &LoopSurface, index: usize) -> u32 {
         match self.star.get(index) {
             Some(&(slot, corner)) => surface.corners()[slot as usize][(corner + 1) % 3],
             None => {

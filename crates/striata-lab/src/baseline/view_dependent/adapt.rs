@@ -63,7 +63,7 @@ impl ViewDependentMeshes {
             criterion,
             elapsed,
             adapted: Adapted::default(),
-            block: Block::default(),
+            block: EvaluationBatch::default(),
             required: Vec::new(),
             dispensable: Vec::new(),
         };
@@ -81,7 +81,7 @@ struct Pass<'p, C> {
     criterion: &'p C,
     elapsed: f32,
     adapted: Adapted,
-    block: Block,
+    block: EvaluationBatch,
     /// Steps to split.
     required: Vec<u32>,
     /// Steps to collapse: not required, and both of their children are active.
@@ -90,16 +90,16 @@ struct Pass<'p, C> {
 
 /// A batch of parts to evaluate.
 #[derive(Default)]
-struct Block {
+struct EvaluationBatch {
     parts: Vec<Part>,
-    requests: Vec<Request>,
+    requests: Vec<EvaluationRequest>,
     verdicts: Vec<Verdict>,
 }
 
 /// Asks whether to split the vertex at an index of `active` (`kind` 0), or to collapse the step that
 /// restored it (`kind` 1).
 #[derive(Clone, Copy)]
-struct Request {
+struct EvaluationRequest {
     index: u32,
     kind: usize,
     step: u32,
@@ -143,7 +143,7 @@ impl<C: Criterion> Pass<'_, C> {
                     continue;
                 };
                 self.block.parts.push(self.model.part(step as usize));
-                self.block.requests.push(Request { index, kind, step });
+                self.block.requests.push(EvaluationRequest { index, kind, step });
             }
             if self.block.parts.len() >= BLOCK_LEN {
                 self.evaluate_block();
@@ -156,7 +156,8 @@ impl<C: Criterion> Pass<'_, C> {
     fn evaluate_block(&mut self) {
         let mut block = std::mem::take(&mut self.block);
         self.criterion.weigh_all(&block.parts, &mut block.verdicts);
-        for (&Request { index, kind, step }, &verdict) in block.requests.iter().zip(&block.verdicts) {
+        for (&EvaluationRequest { index, kind, step }, &verdict) in block.requests.iter().zip(&block.verdicts)
+        {
             self.state.active[index as usize].due[kind] = self.due(verdict);
             match (kind, verdict.should_refine()) {
                 (0, true) => self.required.push(step),

@@ -3,7 +3,7 @@
 use striata::mesh::{RefinableMesh, is_proper};
 
 use super::error::ViewDependentError;
-use super::surface::Surface;
+use super::surface::ShrinkingSurface;
 use super::{LEAF, NONE, ROOT, Triangle, VertexSplit, ViewDependentMeshes, bounds};
 
 impl ViewDependentMeshes {
@@ -19,7 +19,7 @@ impl ViewDependentMeshes {
         check_representable(refinable)?;
         let step_count = sequence.step_count();
         let base_vertex_count = sequence.base_vertex_count() as u32;
-        let mut surface = Surface::new(mesh)?;
+        let mut surface = ShrinkingSurface::new(mesh)?;
         let mut splits = vec![VertexSplit::default(); step_count];
         let mut removed_triangles = vec![[NONE; 2]; step_count];
         // The root of each vertex's subtree, while the hierarchy grows from its leaves.

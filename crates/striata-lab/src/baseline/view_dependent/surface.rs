@@ -6,7 +6,7 @@ use super::error::ViewDependentError;
 use super::{NONE, corner_of};
 
 /// A manifold surface whose vertices are removed one by one.
-pub(super) struct Surface {
+pub(super) struct ShrinkingSurface {
     /// Current corners of the triangles; removed ones keep their last corners.
     pub corners: Vec<[u32; 3]>,
     /// The neighbor opposite each corner, or [`NONE`] at a border.
@@ -29,7 +29,7 @@ pub(super) struct Removed {
     pub neighbors: [u32; 4],
 }
 
-impl Surface {
+impl ShrinkingSurface {
     /// # Errors
     /// If an edge is not that of a manifold surface.
     ///

@@ -22,7 +22,7 @@ use striata_command::failure::Failure;
 type Build = for<'s> fn(&'s BenchScene<'_>, &[usize]) -> Result<Box<dyn Way + 's>, Failure>;
 
 /// A way, its name, and how to build it.
-pub(super) struct Entry {
+pub(super) struct WayEntry {
     pub name: &'static str,
     /// Description printed in the report.
     pub about: &'static str,
@@ -31,7 +31,7 @@ pub(super) struct Entry {
     build: Build,
 }
 
-impl Entry {
+impl WayEntry {
     /// Builds the way.
     ///
     /// # Errors
@@ -45,15 +45,15 @@ impl Entry {
     }
 }
 
-const fn sent(name: &'static str, about: &'static str, build: Build) -> Entry {
-    Entry { name, about, is_resident: false, build }
+const fn sent(name: &'static str, about: &'static str, build: Build) -> WayEntry {
+    WayEntry { name, about, is_resident: false, build }
 }
 
-const fn resident(name: &'static str, about: &'static str, build: Build) -> Entry {
-    Entry { name, about, is_resident: true, build }
+const fn resident(name: &'static str, about: &'static str, build: Build) -> WayEntry {
+    WayEntry { name, about, is_resident: true, build }
 }
 
-const ENTRIES: [Entry; 14] = [
+const ENTRIES: [WayEntry; 14] = [
     sent("list", "triangle list of a progressive mesh, uploaded whole", |bench, _| {
         Ok(Box::new(Sent::new(bench, ProgressiveMeshes::build(&bench.refinable))?))
     }),
@@ -109,7 +109,7 @@ pub(crate) fn way_names() -> impl Iterator<Item = &'static str> {
 }
 
 /// All ways, in the order of the report.
-pub(super) fn all() -> &'static [Entry] {
+pub(super) fn all() -> &'static [WayEntry] {
     &ENTRIES
 }
 
@@ -117,7 +117,7 @@ pub(super) fn all() -> &'static [Entry] {
 ///
 /// # Errors
 /// If a name is unknown.
-pub(super) fn entries(names: &[&str]) -> Result<Vec<&'static Entry>, Failure> {
+pub(super) fn entries(names: &[&str]) -> Result<Vec<&'static WayEntry>, Failure> {
     let find = |name: &&str| {
         ENTRIES.iter().find(|entry| entry.name == *name).ok_or_else(|| {
             let known: Vec<&str> = way_names().collect();

@@ -22,13 +22,13 @@ pub(super) struct Resident {
     indices: GpuIndices,
     topology: Topology,
     /// Coarsest first.
-    levels: Vec<Level>,
+    levels: Vec<ResidentLevel>,
     /// Whether a level that is not stored is drawn with the next coarser one instead of the next finer one.
     rounds_down: bool,
     drawn: usize,
 }
 
-struct Level {
+struct ResidentLevel {
     split_count: usize,
     groups: Vec<Range<u32>>,
 }
@@ -37,7 +37,7 @@ struct Level {
 #[derive(Default)]
 struct LevelBuffer {
     indices: Vec<u32>,
-    levels: Vec<Level>,
+    levels: Vec<ResidentLevel>,
 }
 
 impl LevelBuffer {
@@ -45,7 +45,7 @@ impl LevelBuffer {
         let first = self.indices.len() as u32;
         fill(&mut self.indices);
         let group = first..self.indices.len() as u32;
-        self.levels.push(Level { split_count, groups: vec![group] });
+        self.levels.push(ResidentLevel { split_count, groups: vec![group] });
     }
 }
 

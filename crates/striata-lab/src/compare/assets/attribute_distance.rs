@@ -74,8 +74,8 @@ pub(super) fn attribute_distance(
     let tree = TriangleTree::new(level).map_err(|source| DistanceError::Mesh { which: "second", source })?;
     let comparison = Comparison {
         samples: SurfaceSamples::new(original, options.sample_count, options.seed),
-        original: Attributes::of(original),
-        level: Attributes::of(level),
+        original: TriangleAttributes::of(original),
+        level: TriangleAttributes::of(level),
         tree,
         diagonal: original.diagonal(),
     };
@@ -83,7 +83,7 @@ pub(super) fn attribute_distance(
 }
 
 /// The attributes of one mesh, by triangle and by point.
-struct Attributes<'a> {
+struct TriangleAttributes<'a> {
     mesh: &'a IndexedMesh,
     /// Unit normal of each triangle; zero for triangles without area.
     triangle_normals: Vec<DVec3>,
@@ -91,7 +91,7 @@ struct Attributes<'a> {
     uvs: Option<&'a AttributeLayer>,
 }
 
-impl<'a> Attributes<'a> {
+impl<'a> TriangleAttributes<'a> {
     fn of(mesh: &'a IndexedMesh) -> Self {
         let triangle_normals = mesh.triangles.iter().map(|t| {
             let [a, b, c] = t.map(|v| to_dvec3(mesh.positions[v as usize]));
@@ -142,8 +142,8 @@ struct Differences {
 /// The data of one measurement.
 struct Comparison<'a> {
     samples: SurfaceSamples<'a>,
-    original: Attributes<'a>,
-    level: Attributes<'a>,
+    original: TriangleAttributes<'a>,
+    level: TriangleAttributes<'a>,
     tree: TriangleTree,
     diagonal: f64,
 }

@@ -19,14 +19,14 @@ const NORMAL_WEIGHT: f32 = 0.5;
 const COLOR_WEIGHT: f32 = 1.0;
 
 /// Interleaved attributes of all vertices.
-struct Attributes {
+struct InterleavedAttributes {
     values: Vec<f32>,
     weights: Vec<f32>,
 }
 
 /// Prepares the simplifier for a mesh; a permissive one may collapse across seams.
 pub(super) fn prepare(mesh: &IndexedMesh, is_permissive: bool) -> Simplify<'_> {
-    let attributes = Attributes::of(mesh);
+    let attributes = InterleavedAttributes::of(mesh);
     let mut options = SimplifyOptions::Prune;
     options.set(SimplifyOptions::Permissive, is_permissive);
     Box::new(move |request| {
@@ -35,7 +35,7 @@ pub(super) fn prepare(mesh: &IndexedMesh, is_permissive: bool) -> Simplify<'_> {
 }
 
 fn simplify(
-    (mesh, attributes): (&IndexedMesh, &Attributes),
+    (mesh, attributes): (&IndexedMesh, &InterleavedAttributes),
     options: SimplifyOptions,
     (request, error_limit): (&Request, f64),
 ) -> Result<Option<Level>, String> {
@@ -67,7 +67,7 @@ fn simplify(
     Ok(Some(Level { mesh: level.without_unused_vertices(), secs, error: None, error_limit: None }))
 }
 
-impl Attributes {
+impl InterleavedAttributes {
     fn of(mesh: &IndexedMesh) -> Self {
         let layers: Vec<_> = mesh
             .layers
@@ -117,7 +117,7 @@ mod tests {
         mesh.layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, [0., 0., 1.].repeat(4)));
         let uvs = mesh.positions.iter().flat_map(|p| [p[0], p[1]]).collect();
         mesh.layers.push(AttributeLayer::from_f32(Semantic::TexCoord(0), 2, uvs));
-        let found = Attributes::of(&mesh);
+        let found = InterleavedAttributes::of(&mesh);
         assert_eq!(found.values.len(), 4 * 5);
         assert_eq!(found.values[5..10], [0., 0., 1., 3., 0.]);
         // Both triangles have an area of 9 in UV space.

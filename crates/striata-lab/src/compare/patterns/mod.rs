@@ -19,7 +19,7 @@ pub(super) use self::charts::sections;
 pub(super) use self::report::PatternsReport;
 use self::report::{extraction_table, overlap_error_table, table};
 use self::sizes::{Models, SourceRow};
-use self::source::Source;
+use self::source::FragmentSource;
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
 
@@ -29,22 +29,23 @@ use striata_command::output::Bar;
 /// If the mesh is inconsistent, or models extract different triangles, which would be a bug.
 pub(super) fn measure(
     mesh: &IndexedMesh,
-    (refinable, sequence_secs): (&RefinableMesh, f64),
+    refinable: &RefinableMesh,
+    sequence_secs: f64,
     bar: &mut Bar,
     say: &dyn Fn(&str),
 ) -> Result<PatternsReport, Failure> {
     let mut sources = Vec::new();
     let (mut extracted_from, mut extraction, mut overlap_errors) = ("", Vec::new(), Vec::new());
-    for source in Source::ALL {
+    for source in FragmentSource::ALL {
         say(&format!("fragments, {}", source.as_str()));
         let started = std::time::Instant::now();
         let fragmented = source.fragments(mesh, refinable, bar)?;
-        let before = if source == Source::Quadric { sequence_secs } else { 0.0 };
+        let before = if source == FragmentSource::Quadric { sequence_secs } else { 0.0 };
         let fragments_secs = before + started.elapsed().as_secs_f64();
         say(&format!("patterns, {}", source.as_str()));
         let models = Models::build(&fragmented)?;
         sources.push(SourceRow::new(source, &models, fragments_secs));
-        if source == Source::Removal {
+        if source == FragmentSource::Removal {
             say("extraction");
             extraction = extraction::measure(&models, &mut |share| bar.share("timing", share))?;
             extracted_from = source.as_str();

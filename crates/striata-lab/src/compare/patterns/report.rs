@@ -6,7 +6,7 @@ use super::extraction::{self, ExtractionRow};
 use super::or_dash::or_dash;
 use super::overlap_errors::{self, OverlapErrorRow};
 use super::sizes::SourceRow;
-use super::source::Source;
+use super::source::FragmentSource;
 use crate::compare::papers::{KG98_FRAGMENT_BITS, KG98_OVERLAPS, KG98_SEQUENTIAL_BITS};
 use striata_command::output::{format_count, format_duration};
 
@@ -28,7 +28,7 @@ impl PatternsReport {
     /// Sentences describing the measurements and naming what could not be built.
     pub(super) fn about(&self) -> String {
         let mut text = String::from("Fragments of");
-        for (i, source) in Source::ALL.into_iter().enumerate() {
+        for (i, source) in FragmentSource::ALL.into_iter().enumerate() {
             let separator = if i == 0 { " " } else { "; " };
             text.push_str(&format!("{separator}{}: {}", source.as_str(), source.about()));
         }

@@ -9,7 +9,7 @@ use striata::model::{LodModel, Patterns};
 use striata_lab::baseline::{GeneralPatterns, LoopPatterns, MultiTriangulation, SequentialPatterns};
 use striata_lab::{Accounting, PaperBytes};
 
-use super::source::Source;
+use super::source::FragmentSource;
 use striata_command::failure::Failure;
 
 /// All forms of the same fragments.
@@ -171,7 +171,7 @@ pub(super) struct SourceRow {
 
 impl SourceRow {
     /// Computes the sizes of a source's models.
-    pub(super) fn new(source: Source, models: &Models, fragments_secs: f64) -> Self {
+    pub(super) fn new(source: FragmentSource, models: &Models, fragments_secs: f64) -> Self {
         let Models { patterns, explicit, vertex_count, .. } = models;
         let fragment_count = patterns.fragment_count();
         let per_fragment = |count: usize| count as f64 / fragment_count.max(1) as f64;

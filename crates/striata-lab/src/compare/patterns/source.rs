@@ -11,7 +11,7 @@ use striata_command::output::Bar;
 
 /// A source of fragments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Source {
+pub(super) enum FragmentSource {
     /// Half-edge collapses in quadric order.
     Quadric,
     /// Removed vertices, with holes filled freely.
@@ -26,7 +26,7 @@ pub(super) enum Source {
     Triangles,
 }
 
-impl Source {
+impl FragmentSource {
     /// All sources; extraction is timed for [`Self::Removal`], the paper's kind of fragments.
     pub(super) const ALL: [Self; 6] = [
         Self::Quadric,

@@ -14,7 +14,7 @@ pub(super) const RUNS: usize = 5;
 pub(super) const RUN_SECS: f64 = 2.0;
 
 /// The result of encoding and decoding a mesh.
-pub(super) struct Coded {
+pub(super) struct CodedMesh {
     pub bytes: usize,
     /// The decoded mesh.
     pub mesh: IndexedMesh,
@@ -23,7 +23,7 @@ pub(super) struct Coded {
 }
 
 /// A coder of single meshes, with positions on a grid of the given number of bits.
-pub(super) type Coder<'c> = Box<dyn Fn(&IndexedMesh, u32) -> Result<Coded, Failure> + 'c>;
+pub(super) type Coder<'c> = Box<dyn Fn(&IndexedMesh, u32) -> Result<CodedMesh, Failure> + 'c>;
 
 /// Name of a stream in the report.
 pub(super) fn stream_name(effort: Effort) -> String {

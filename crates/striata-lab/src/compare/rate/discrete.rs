@@ -19,7 +19,8 @@ pub(super) fn measure(
     mesh: &IndexedMesh,
     bits: u32,
     coders: &[(String, Coder<'_>)],
-    (meter, bar): (&DistanceMeter<'_>, &mut Bar),
+    meter: &DistanceMeter<'_>,
+    bar: &mut Bar,
 ) -> Result<Vec<RateRow>, Failure> {
     let built =
         build_sequence_with_progress(mesh, &SequenceOptions::default(), &mut |progress| bar.show(progress))?;

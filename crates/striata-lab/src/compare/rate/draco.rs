@@ -6,7 +6,7 @@ use std::process::Command;
 use striata::mesh::IndexedMesh;
 use tempfile::TempDir;
 
-use super::coded::{Coded, fastest};
+use super::coded::{CodedMesh, fastest};
 use striata_command::failure::Failure;
 
 /// Name of its files in the report.
@@ -37,22 +37,22 @@ impl Draco {
     ///
     /// # Errors
     /// If a tool fails.
-    pub(super) fn code(&self, mesh: &IndexedMesh, bits: u32) -> Result<Coded, Failure> {
+    pub(super) fn code(&self, mesh: &IndexedMesh, bits: u32) -> Result<CodedMesh, Failure> {
         let [plain, packed, back] =
             ["in.ply", "out.drc", "back.ply"].map(|name| self.folder.path().join(name));
         striata_io::write(&plain, mesh, &striata_io::WriteOptions::default())?;
         let bits = bits.to_string();
-        let encode_secs = run("draco_encoder", (&plain, &packed), &["-cl", "10", "-qp", &bits])?;
-        let decode_secs = fastest(|| run("draco_decoder", (&packed, &back), &[]))?;
+        let encode_secs = run("draco_encoder", &plain, &packed, &["-cl", "10", "-qp", &bits])?;
+        let decode_secs = fastest(|| run("draco_decoder", &packed, &back, &[]))?;
         let bytes =
             std::fs::metadata(&packed).map_err(|error| failed("draco_encoder", &error.to_string()))?;
         let mesh = striata_io::read(&back)?;
-        Ok(Coded { bytes: bytes.len() as usize, mesh, encode_secs, decode_secs })
+        Ok(CodedMesh { bytes: bytes.len() as usize, mesh, encode_secs, decode_secs })
     }
 }
 
 /// Runs a tool and returns the seconds it reports, which exclude file access.
-fn run(tool: &str, (from, to): (&Path, &Path), flags: &[&str]) -> Result<f64, Failure> {
+fn run(tool: &str, from: &Path, to: &Path, flags: &[&str]) -> Result<f64, Failure> {
     let output = Command::new(tool).arg("-i").arg(from).arg("-o").arg(to).args(flags).output();
     let output = output.map_err(|error| failed(tool, &error.to_string()))?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned();

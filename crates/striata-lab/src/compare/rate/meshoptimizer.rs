@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use striata::mesh::{Bounds, IndexedMesh};
 
-use super::coded::{Coded, fastest};
+use super::coded::{CodedMesh, fastest};
 use striata_command::failure::Failure;
 
 /// Name of its files in the report.
@@ -19,7 +19,7 @@ type Vertex = [u16; 4];
 ///
 /// # Errors
 /// If a codec fails.
-pub(super) fn code(mesh: &IndexedMesh, bits: u32) -> Result<Coded, Failure> {
+pub(super) fn code(mesh: &IndexedMesh, bits: u32) -> Result<CodedMesh, Failure> {
     let started = Instant::now();
     let bounds = mesh.bounds().unwrap_or(Bounds { min: [0.0; 3], max: [0.0; 3] });
     let extent = (0..3).map(|i| f64::from(bounds.max[i]) - f64::from(bounds.min[i])).fold(0.0, f64::max);
@@ -60,7 +60,7 @@ pub(super) fn code(mesh: &IndexedMesh, bits: u32) -> Result<Coded, Failure> {
         triangles: indices.as_chunks().0.to_vec(),
         ..IndexedMesh::default()
     };
-    Ok(Coded { bytes: points.0.len() + corners.0.len(), mesh, encode_secs, decode_secs })
+    Ok(CodedMesh { bytes: points.0.len() + corners.0.len(), mesh, encode_secs, decode_secs })
 }
 
 fn failed(error: impl std::fmt::Display) -> Failure {

@@ -16,7 +16,7 @@ use serde::Serialize;
 use striata::mesh::IndexedMesh;
 use striata_stream::Effort;
 
-use self::coded::{Coded, Coder, RUNS, stream_name};
+use self::coded::{CodedMesh, Coder, RUNS, stream_name};
 use self::distance_meter::{DistanceMeter, RateRow};
 use self::draco::Draco;
 use self::streams::Streams;
@@ -114,7 +114,7 @@ pub(super) fn measure(
     }
     say("levels one after another");
     peers.push((stream_name(Effort::Default), Box::new(streams::code_level)));
-    rate.extend(discrete::measure(&positions_only, args.bits, &peers, (&meter, bar))?);
+    rate.extend(discrete::measure(&positions_only, args.bits, &peers, &meter, bar)?);
     compute_ratios(&mut sizes);
     Ok(RateReport { rate_bits: args.bits, rate, sizes })
 }
@@ -130,7 +130,7 @@ fn compute_ratios(sizes: &mut [SizeRow]) {
 }
 
 impl SizeRow {
-    fn new(name: String, bits: u32, coded: &Coded) -> Self {
+    fn new(name: String, bits: u32, coded: &CodedMesh) -> Self {
         Self {
             name,
             bits,

@@ -7,7 +7,7 @@ use striata::mesh::{IndexedMesh, RefinableMesh};
 use striata::simplify::{BatchOptions, build_batches_with_progress};
 use striata_stream::{Effort, Precision, SHAPE_STEPS, StreamError, StreamInfo, StreamOptions, encode_stream};
 
-use super::coded::{Coded, fastest, stream_name};
+use super::coded::{CodedMesh, fastest, stream_name};
 use super::distance_meter::{DistanceMeter, RateRow};
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
@@ -59,13 +59,13 @@ impl Streams {
     ///
     /// # Errors
     /// If encoding or decoding fails.
-    pub(super) fn code(&self, bits: u32, effort: Effort) -> Result<Coded, Failure> {
+    pub(super) fn code(&self, bits: u32, effort: Effort) -> Result<CodedMesh, Failure> {
         let started = Instant::now();
         let bytes = self.encode(bits, effort)?;
         let encode_secs = self.simplify_secs + started.elapsed().as_secs_f64();
         let decode_secs = fastest(|| Ok(DecodedStream::read_all(&bytes)?.decode_secs))?;
         let mesh = DecodedStream::read_all(&bytes)?.steps()?.into_mesh();
-        Ok(Coded { bytes: bytes.len(), mesh, encode_secs, decode_secs })
+        Ok(CodedMesh { bytes: bytes.len(), mesh, encode_secs, decode_secs })
     }
 
     /// Measures prefixes, from the base mesh to the whole stream in geometric progression.
@@ -97,6 +97,6 @@ impl Streams {
 ///
 /// # Errors
 /// If encoding or decoding fails.
-pub(super) fn code_level(mesh: &IndexedMesh, bits: u32) -> Result<Coded, Failure> {
+pub(super) fn code_level(mesh: &IndexedMesh, bits: u32) -> Result<CodedMesh, Failure> {
     Streams::with_progress(mesh, &mut striata::ignore_progress)?.code(bits, Effort::Default)
 }

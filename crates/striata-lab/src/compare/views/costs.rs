@@ -30,12 +30,12 @@ pub(super) struct CostRow {
     /// The followers that can be built.
     pub contenders: Vec<Cost>,
     /// Indices and time that it takes to draw the fans of this view, by form.
-    drawn: Vec<Drawn>,
+    drawn: Vec<ViewIndices>,
 }
 
 /// Indices of one form of the fans that a view shows.
 #[derive(Clone, Debug, Serialize)]
-struct Drawn {
+struct ViewIndices {
     form: &'static str,
     /// Number of indices, including the restarts between fans or strips.
     index_count: usize,
@@ -101,7 +101,7 @@ pub(super) fn measure(models: &Models<'_>) -> Result<Vec<CostRow>, Failure> {
 }
 
 /// Writes what a view shows as a list, as fans, and as a strip for each fan.
-fn drawn(models: &Models<'_>, screen: &ScreenError) -> Vec<Drawn> {
+fn drawn(models: &Models<'_>, screen: &ScreenError) -> Vec<ViewIndices> {
     let mut instance = FanInstance::uniform(&models.fans, 0);
     instance.refine(&models.scene(), screen);
     let forms = [("list", FanForm::Triangles), ("fans", FanForm::Fans), ("strips", FanForm::Strips)];
@@ -116,7 +116,7 @@ fn drawn(models: &Models<'_>, screen: &ScreenError) -> Vec<Drawn> {
         }
         let counts = instance.draw_counts(&models.fans, form);
         let (index_count, piece_count) = (counts.index_count, counts.strip_count);
-        Drawn { form: name, index_count, piece_count, emission_ms: 1e3 * secs }
+        ViewIndices { form: name, index_count, piece_count, emission_ms: 1e3 * secs }
     });
     of_form.into()
 }

@@ -24,7 +24,7 @@ pub(super) struct View<'s> {
 
 /// Numbers of splits and collapses, including forced ones.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Changes {
+pub(super) struct ForcedChanges {
     /// Number of splits.
     pub split_count: usize,
     /// Number of collapses.
@@ -39,7 +39,7 @@ pub(super) trait Follower<'a> {
     fn restart(&mut self);
 
     /// Adapts to a view.
-    fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> Changes;
+    fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> ForcedChanges;
 
     /// Appends the indices of the triangles shown.
     fn emit_into(&mut self, out: &mut Vec<u32>);
@@ -123,7 +123,7 @@ impl<'r> Models<'r> {
             vdpm.clone().map(|model| Vdpm::boxed(model, false)),
             vdpm.map(|model| Vdpm::boxed(model, true)),
             self.published.as_ref().map_err(Clone::clone).map(|model| {
-                let follower = Published { model, state: PublishedFansState::base(model) };
+                let follower = PublishedFollower { model, state: PublishedFansState::base(model) };
                 Box::new(follower) as Box<dyn Follower<'a> + 'a>
             }),
             Ok(Box::new({
@@ -146,10 +146,14 @@ impl<'a> Follower<'a> for Incremental<'a> {
         self.front = FanFront::new(&self.scene);
     }
 
-    fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> Changes {
+    fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> ForcedChanges {
         let update =
             self.front.update(&self.scene, &LoggedCriterion { screen: view.screen, log }, usize::MAX);
-        Changes { split_count: update.split_count, collapse_count: update.collapse_count, evaluated: None }
+        ForcedChanges {
+            split_count: update.split_count,
+            collapse_count: update.collapse_count,
+            evaluated: None,
+        }
     }
 
     fn emit_into(&mut self, out: &mut Vec<u32>) {
@@ -181,7 +185,7 @@ impl<'a> Follower<'a> for Kept<'a> {
         *self = Self::new(self.incremental.scene);
     }
 
-    fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> Changes {
+    fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> ForcedChanges {
         self.incremental.follow(view, log)
     }
 
@@ -211,9 +215,9 @@ impl<'a> Follower<'a> for Stateless<'a> {
         self.instance = FanInstance::uniform(self.scene.fans(), 0);
     }
 
-    fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> Changes {
+    fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> ForcedChanges {
         let split_count = self.instance.refine(&self.scene, &LoggedCriterion { screen: view.screen, log });
-        Changes { split_count, ..Changes::default() }
+        ForcedChanges { split_count, ..ForcedChanges::default() }
     }
 
     fn emit_into(&mut self, out: &mut Vec<u32>) {
@@ -245,12 +249,16 @@ impl<'a> Follower<'a> for Vdpm<'a> {
         (self.state, self.last) = (self.model.base_state(), None);
     }
 
-    fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> Changes {
+    fn follow(&mut self, view: View<'a>, log: Option<&'a QueryLog>) -> ForcedChanges {
         let last = self.last.replace(view.screen).filter(|_| self.keeps_verdicts);
         let motion = last.map_or(f32::INFINITY, |last| view.screen.motion_since(last));
         let criterion = LoggedCriterion { screen: view.screen, log };
         let adapted = self.model.adapt_after(&mut self.state, &criterion, motion);
-        Changes { split_count: adapted.split_count, collapse_count: adapted.collapse_count, evaluated: None }
+        ForcedChanges {
+            split_count: adapted.split_count,
+            collapse_count: adapted.collapse_count,
+            evaluated: None,
+        }
     }
 
     fn emit_into(&mut self, out: &mut Vec<u32>) {
@@ -263,20 +271,20 @@ impl<'a> Follower<'a> for Vdpm<'a> {
 }
 
 /// Fans as published: machine words, the published criterion, and a pass over all bits in each frame.
-struct Published<'a> {
+struct PublishedFollower<'a> {
     model: &'a PublishedFans,
     state: PublishedFansState,
 }
 
-impl<'a> Follower<'a> for Published<'a> {
+impl<'a> Follower<'a> for PublishedFollower<'a> {
     fn restart(&mut self) {
         self.state = PublishedFansState::base(self.model);
     }
 
-    fn follow(&mut self, view: View<'a>, _log: Option<&'a QueryLog>) -> Changes {
+    fn follow(&mut self, view: View<'a>, _log: Option<&'a QueryLog>) -> ForcedChanges {
         let view = PublishedView::new(view.screen.camera(), PIXELS_PER_UNIT, view.screen.pixels());
         let changes = self.model.adapt(&mut self.state, &view);
-        Changes {
+        ForcedChanges {
             split_count: changes.inserted,
             collapse_count: changes.simplified,
             evaluated: Some(changes.evaluated),
@@ -303,10 +311,10 @@ impl<'a> Follower<'a> for Uniform<'a> {
         self.fans.move_to(&mut self.level, 0);
     }
 
-    fn follow(&mut self, view: View<'a>, _log: Option<&'a QueryLog>) -> Changes {
+    fn follow(&mut self, view: View<'a>, _log: Option<&'a QueryLog>) -> ForcedChanges {
         let before = self.fans.split_count(&self.level);
         self.fans.move_to(&mut self.level, view.split_count);
-        Changes {
+        ForcedChanges {
             split_count: view.split_count.saturating_sub(before),
             collapse_count: before.saturating_sub(view.split_count),
             evaluated: None,

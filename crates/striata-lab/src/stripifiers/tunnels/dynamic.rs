@@ -3,7 +3,7 @@
 use striata::mesh::{NO_TWIN, Random};
 use striata::strip::{StripLinks, next_side, prev_side};
 
-use super::path_search::{PathSearch, Step};
+use super::path_search::{PathSearch, PathStep};
 use super::{FindTunnels, TunnelOptions};
 
 /// Search that applies each path to the links before it goes on from there.
@@ -14,7 +14,7 @@ pub(super) struct DynamicTunnels {
     /// Changed identities: triangle, and identity before.
     changes: Vec<(u32, u32)>,
     /// Steps that are applied, each with the number of changes before it.
-    applied: Vec<(Step, usize)>,
+    applied: Vec<(PathStep, usize)>,
 }
 
 impl DynamicTunnels {
@@ -57,7 +57,7 @@ impl DynamicTunnels {
 
     /// Takes one step: the strip of the moving end continues into the triangle taken, and beyond it on the
     /// side that is not cut off.
-    fn apply(&mut self, step: Step, links: &mut StripLinks<'_>) {
+    fn apply(&mut self, step: PathStep, links: &mut StripLinks<'_>) {
         self.applied.push((step, self.changes.len()));
         links.cut(step.cut);
         self.join(step.crossed, links);
@@ -103,7 +103,7 @@ impl DynamicTunnels {
         for cut in cuts.filter(|&cut| !is_same || back == Some(cut)) {
             let next = links.twins()[cut as usize] / 3;
             if !self.search.is_visited(next) {
-                self.search.push(node, Step { crossed, taken, cut, end: next });
+                self.search.push(node, PathStep { crossed, taken, cut, end: next });
             }
         }
         false

@@ -3,7 +3,7 @@
 use striata::mesh::{NO_TWIN, Random};
 use striata::strip::{StripLinks, next_side, prev_side};
 
-use super::path_search::{PathSearch, Step};
+use super::path_search::{PathSearch, PathStep};
 use super::{FindTunnels, TunnelOptions};
 
 /// Search that changes nothing until it has found a tunnel.
@@ -64,7 +64,7 @@ impl StaticTunnels {
             let next = links.twins()[cut as usize] / 3;
             let is_toward_end = (self.places[next as usize].1 > index) == (end_index > index);
             if (!is_same || is_toward_end) && !self.search.is_visited(next) {
-                self.search.push(node, Step { crossed, taken, cut, end: next });
+                self.search.push(node, PathStep { crossed, taken, cut, end: next });
             }
         }
         false

@@ -9,7 +9,7 @@ const PATH_NODE_LIMIT: usize = 1000;
 
 /// Two links of a tunnel: the moving end takes a triangle, which releases a neighbor, the next moving end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Step {
+pub(super) struct PathStep {
     /// The dashed link, as the side of the moving end.
     pub crossed: u32,
     /// The triangle taken.
@@ -22,8 +22,8 @@ pub(super) struct Step {
 
 /// Moving end that the search has reached.
 #[derive(Clone, Copy, Debug)]
-struct Node {
-    step: Step,
+struct PathNode {
+    step: PathStep,
     /// Node before this one; the root is its own parent.
     parent: u32,
     depth: u32,
@@ -34,12 +34,12 @@ pub(super) struct PathSearch {
     visits: Visits,
     /// Number of steps that a tunnel may have before its last link.
     max_steps: u32,
-    nodes: Vec<Node>,
+    nodes: Vec<PathNode>,
     /// Index of the search that last visited each triangle.
     last_visits: Vec<u32>,
     search: u32,
     /// Steps from the root to the current node.
-    path: Vec<Step>,
+    path: Vec<PathStep>,
 }
 
 impl PathSearch {
@@ -65,8 +65,8 @@ impl PathSearch {
         self.nodes.clear();
         self.path.clear();
         self.last_visits[start as usize] = self.search;
-        let step = Step { crossed: NO_TWIN, taken: start, cut: NO_TWIN, end: start };
-        self.nodes.push(Node { step, parent: 0, depth: 0 });
+        let step = PathStep { crossed: NO_TWIN, taken: start, cut: NO_TWIN, end: start };
+        self.nodes.push(PathNode { step, parent: 0, depth: 0 });
     }
 
     /// Makes a node the current one. Returns its moving end, or [`None`] if there is no such node.
@@ -83,7 +83,7 @@ impl PathSearch {
     }
 
     /// Returns the steps that lead to the current node.
-    pub(super) fn path(&self) -> &[Step] {
+    pub(super) fn path(&self) -> &[PathStep] {
         &self.path
     }
 
@@ -102,9 +102,9 @@ impl PathSearch {
     }
 
     /// Adds a node after `parent`, the current node.
-    pub(super) fn push(&mut self, parent: usize, step: Step) {
+    pub(super) fn push(&mut self, parent: usize, step: PathStep) {
         self.last_visits[step.taken as usize] = self.search;
         self.last_visits[step.end as usize] = self.search;
-        self.nodes.push(Node { step, parent: parent as u32, depth: self.path.len() as u32 + 1 });
+        self.nodes.push(PathNode { step, parent: parent as u32, depth: self.path.len() as u32 + 1 });
     }
 }
