@@ -20,7 +20,7 @@ fuzz_target!(|data: &[u8]| {
     let (mode, filter) = (MODES[kind % 3], FILTERS[kind / 3 % 5]);
     let stride = STRIDES[usize::from(stride) % STRIDES.len()];
     let extension = if kind / 15 % 2 == 0 { "EXT_meshopt_compression" } else { "KHR_meshopt_compression" };
-    let glb = file(extension, (mode, filter), (count as u64, stride), input.0);
+    let glb = file(extension, &MeshoptView { mode, filter, count: count as u64, stride }, input.0);
     let source = Source::new("x.glb");
     if let Ok(mesh) = read_bytes(&glb, &source) {
         assert_eq!(mesh.check().is_ok(), mesh.positions.as_flattened().iter().all(|x| x.is_finite()));
@@ -28,13 +28,17 @@ fuzz_target!(|data: &[u8]| {
     let _ = read_scene_bytes(&glb, &source);
 });
 
+/// A compressed view: how it is coded, and its elements.
+struct MeshoptView<'a> {
+    mode: &'a str,
+    filter: &'a str,
+    count: u64,
+    stride: u64,
+}
+
 /// Builds a file in which the view is read as indices of a triangle list, or as positions and joints.
-fn file(
-    extension: &str,
-    (mode, filter): (&str, &str),
-    (count, stride): (u64, u64),
-    packed: &[u8],
-) -> Vec<u8> {
+fn file(extension: &str, coded: &MeshoptView<'_>, packed: &[u8]) -> Vec<u8> {
+    let &MeshoptView { mode, filter, count, stride } = coded;
     let plain: Vec<u8> =
         (0..256u32).flat_map(|i| [i as f32, (i * i % 7) as f32, 0.5]).flat_map(f32::to_le_bytes).collect();
     let length = count * stride;

@@ -25,7 +25,7 @@ pub fn unpacked(stream: &[u8]) -> Vec<u8> {
             }
             _ => payload,
         };
-        put_head((kind, index, payload.len() as u64), &mut out);
+        put_head(kind, index, payload.len() as u64, &mut out);
         out.extend(payload);
     }
     out
@@ -45,7 +45,7 @@ pub fn packed(bytes: &[u8]) -> Vec<u8> {
             payload
         };
         let mut head = Vec::new();
-        put_head((kind, index, payload.len() as u64), &mut head);
+        put_head(kind, index, payload.len() as u64, &mut head);
         let mut checksum = crc32fast::Hasher::new();
         checksum.update(&head);
         checksum.update(payload);
@@ -78,7 +78,7 @@ fn packets(mut bytes: &[u8], checksum: usize) -> Vec<Packet<'_>> {
     found
 }
 
-fn put_head((kind, index, length): (u8, u64, u64), out: &mut Vec<u8>) {
+fn put_head(kind: u8, index: u64, length: u64, out: &mut Vec<u8>) {
     out.push(kind);
     for mut value in [index, length] {
         while value >= 0x80 {
