@@ -205,7 +205,7 @@ impl Tables {
         self.add_levels(
             subject,
             label,
-            ([format!("{:.3}", all[0]), worst], format!("{:.3}", all[1])),
+            LastCells { indices: [format!("{:.3}", all[0]), worst], misses: format!("{:.3}", all[1]) },
             &mut cost_at,
         );
         let (stage_count, plain) = (model.stage_split_counts().count(), subject.plain_bytes(strips));
@@ -234,7 +234,8 @@ impl Tables {
             level_cost(&subject.refinable, split_count, &indices)
         };
         let none = || "–".to_owned();
-        self.add_levels(subject, &label, ([none(), none()], none()), &mut cost_at);
+        let last = LastCells { indices: [none(), none()], misses: none() };
+        self.add_levels(subject, &label, last, &mut cost_at);
     }
 
     /// Adds a row for indices and one for misses, with the given last cells.
@@ -242,7 +243,7 @@ impl Tables {
         &mut self,
         subject: &Subject,
         label: &str,
-        (indices_end, misses_end): ([String; 2], String),
+        last: LastCells,
         cost_at: &mut dyn FnMut(usize) -> LevelCost,
     ) {
         let Subject { name, refinable } = subject;
@@ -254,11 +255,17 @@ impl Tables {
             indices.push(ratio(cost.index_count));
             misses.push(ratio(cost.miss_count));
         }
-        indices.extend(indices_end);
-        misses.push(misses_end);
+        indices.extend(last.indices);
+        misses.push(last.misses);
         self.indices.push(indices);
         self.misses.push(misses);
     }
+}
+
+/// The last cells of the rows of a model.
+struct LastCells {
+    indices: [String; 2],
+    misses: String,
 }
 
 impl Subject {

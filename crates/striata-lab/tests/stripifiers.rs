@@ -10,13 +10,21 @@ use striata_lab::stripifiers::{
 };
 use striata_testing::meshes;
 
-const KINDS: [(Identities, Visits); 3] = [
-    (Identities::Dynamic, Visits::OncePerSearch),
-    (Identities::Dynamic, Visits::OncePerPath),
-    (Identities::Static, Visits::OncePerSearch),
+const KINDS: [TunnelKind; 3] = [
+    TunnelKind { identities: Identities::Dynamic, visits: Visits::OncePerSearch },
+    TunnelKind { identities: Identities::Dynamic, visits: Visits::OncePerPath },
+    TunnelKind { identities: Identities::Static, visits: Visits::OncePerSearch },
 ];
 
-fn options((identities, visits): (Identities, Visits), max_length: u32, seed: u64) -> TunnelOptions {
+/// How a kind of tunneling names strips and visits triangles.
+#[derive(Clone, Copy, Debug)]
+struct TunnelKind {
+    identities: Identities,
+    visits: Visits,
+}
+
+fn options(kind: TunnelKind, max_length: u32, seed: u64) -> TunnelOptions {
+    let TunnelKind { identities, visits } = kind;
     TunnelOptions { max_length, order: EndOrder::Random, identities, visits, seed }
 }
 
@@ -114,7 +122,8 @@ fn figure_7_is_discarded_by_the_check_of_static_identities() {
     };
     // The other path from 5 leads over 4, which must not keep this one from its end.
     assert_eq!(strips_after(KINDS[1]), (2, 0), "dynamic identities refuse the tunnel");
-    let (strip_count, loop_count) = strips_after((Identities::Static, Visits::OncePerPath));
+    let (strip_count, loop_count) =
+        strips_after(TunnelKind { identities: Identities::Static, visits: Visits::OncePerPath });
     assert!(
         strip_count == 2 && loop_count > 0,
         "static ones find it, and walking finds the loop: {strip_count} {loop_count}"
@@ -145,6 +154,6 @@ proptest! {
     fn random_soups_are_covered(seed in any::<u64>(), triangles in 1u32..120, kind in 0usize..3, length in 1u32..30) {
         let mesh = shapes::random_soup(triangles, seed);
         let (_, report) = checked(&mesh, &options(KINDS[kind], length, seed));
-        prop_assert!(KINDS[kind].0 == Identities::Static || report.loop_count == 0);
+        prop_assert!(KINDS[kind].identities == Identities::Static || report.loop_count == 0);
     }
 }

@@ -34,7 +34,6 @@ pub(crate) fn run(args: &BenchGpuArgs, output: &Output) -> Result<(), Failure> {
     // Open all inputs first, so that a missing file is reported before any work is done.
     let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::open(path)).collect::<Result<_, _>>()?;
     let (Viewport(size), plan) = (args.size, args.strip_plan());
-    let walk = (args.pace, args.frames as usize);
     let mut meshes = Vec::new();
     for input in &inputs {
         let mut bar = output.bar();
@@ -42,7 +41,8 @@ pub(crate) fn run(args: &BenchGpuArgs, output: &Output) -> Result<(), Failure> {
         let mesh = input.mesh(output)?;
         let in_input = |failure: Failure| failure.in_file(&input.name);
         let bench = BenchScene::new(&gpu, (&input.name, &mesh), (size, &plan), &mut bar).map_err(in_input)?;
-        let timings = Timings::run(&bench, &entries, walk, &mut bar).map_err(in_input)?;
+        let timings =
+            Timings::run(&bench, &entries, args.pace, args.frames as usize, &mut bar).map_err(in_input)?;
         meshes.push(GpuMeshReport::new(input.file_name(), &bench, timings));
     }
     let report = GpuReport::new(&gpu, args, meshes, started);

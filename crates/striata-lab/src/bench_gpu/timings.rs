@@ -101,7 +101,8 @@ impl Timings {
     pub(super) fn run(
         bench: &BenchScene<'_>,
         entries: &[&'static WayEntry],
-        (pace, frames): (Pace, usize),
+        pace: Pace,
+        frames: usize,
         bar: &mut Bar,
     ) -> Result<Self, Failure> {
         let clock = FrameClock::new(bench.gpu)?;

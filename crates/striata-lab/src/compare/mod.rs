@@ -182,7 +182,7 @@ fn measure_strips(
     let (searches, lengths, seeds) = (&args.strips.tunnel_searches[..], args.tunnels(), args.seeds());
     say(&format!("tunnels of up to {} links, {seeds} seeds each", lengths.iter().max().unwrap_or(&0)));
     let mut show_share = |share| bar.share("tunnels", share);
-    let tunnel_lengths = tunnels::measure(mesh, (searches, lengths), seeds, &mut show_share)?;
+    let tunnel_lengths = tunnels::measure(mesh, searches, lengths, seeds, &mut show_share)?;
     let mut show = |name: &str| say(name);
     let stripifiers = stripifiers::measure(mesh, &args.strips.chains, args.budgets(), &mut show)?;
     Ok(StripsReport { strip_count_bound: strip_count_bound(mesh), tunnel_lengths, stripifiers })

@@ -185,7 +185,8 @@ pub(super) fn measure(
     say("all models in turn");
     let rounds = run_rounds(&mut timed_models, step_count, &mut |share| bar.share("timing", share));
     let strips = StripReport::new(plan.chain.to_string(), &refinable.mesh, &stripped, plan.cache_size())?;
-    let basis = Basis::new(refinable, (&stripped, strips), *sequence_secs, (frames, rounds));
+    let counts = TimingCounts { frames, rounds };
+    let basis = Basis::new(refinable, &stripped, strips, *sequence_secs, counts);
     let rows = timed_models.iter_mut().map(|timed_model| ModelRow::new(timed_model, refinable, &basis));
     Ok(ModelsReport { rows: rows.collect(), basis, refused })
 }
@@ -197,12 +198,19 @@ impl TimedModel {
     }
 }
 
+/// How often models are timed.
+struct TimingCounts {
+    frames: usize,
+    rounds: usize,
+}
+
 impl Basis {
     fn new(
         refinable: &RefinableMesh,
-        (stripped, strips): (&TimedStrips, StripReport),
+        stripped: &TimedStrips,
+        strips: StripReport,
         sequence_secs: f64,
-        (frames, rounds): (usize, usize),
+        TimingCounts { frames, rounds }: TimingCounts,
     ) -> Self {
         let vertex_count = refinable.mesh.vertex_count();
         let index_count = stripped.strips.to_restart_indices().indices.len();

@@ -67,7 +67,8 @@ impl TunnelRow {
 /// If the mesh is inconsistent.
 pub(super) fn measure(
     mesh: &IndexedMesh,
-    (searches, lengths): (&[Tunneling], &[u32]),
+    searches: &[Tunneling],
+    lengths: &[u32],
     seeds: u32,
     show: &mut dyn FnMut(f64),
 ) -> Result<Vec<TunnelRow>, Failure> {
@@ -202,8 +203,8 @@ mod tests {
         let mesh = striata_io::read(spot).unwrap();
         let mut shares = Vec::new();
         let mut counts = || {
-            let settings = (&Tunneling::ALL[..], &[1, 3, 5][..]);
-            let rows = measure(&mesh, settings, 3, &mut |share| shares.push(share)).unwrap();
+            let rows =
+                measure(&mesh, &Tunneling::ALL, &[1, 3, 5], 3, &mut |share| shares.push(share)).unwrap();
             rows.iter().map(|row| (row.search, row.max_length, row.min, row.max)).collect::<Vec<_>>()
         };
         let rows = counts();

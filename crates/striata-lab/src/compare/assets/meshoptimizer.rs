@@ -9,7 +9,6 @@ use std::time::Instant;
 use meshopt::{SimplifyOptions, VertexDataAdapter, simplify_with_attributes_and_locks, typed_to_bytes};
 use striata::mesh::{IndexedMesh, Semantic};
 
-use super::contender::Request;
 use super::contender::{Level, Simplify};
 use super::error_limits::with_smallest_limit;
 
@@ -30,14 +29,18 @@ pub(super) fn prepare(mesh: &IndexedMesh, is_permissive: bool) -> Simplify<'_> {
     let mut options = SimplifyOptions::Prune;
     options.set(SimplifyOptions::Permissive, is_permissive);
     Box::new(move |request| {
-        with_smallest_limit(request, |limit| simplify((mesh, &attributes), options, (request, limit)))
+        with_smallest_limit(request, |limit| {
+            simplify(mesh, &attributes, options, request.target_count, limit)
+        })
     })
 }
 
 fn simplify(
-    (mesh, attributes): (&IndexedMesh, &InterleavedAttributes),
+    mesh: &IndexedMesh,
+    attributes: &InterleavedAttributes,
     options: SimplifyOptions,
-    (request, error_limit): (&Request, f64),
+    target_count: usize,
+    error_limit: f64,
 ) -> Result<Option<Level>, String> {
     let started = Instant::now();
     let vertices = VertexDataAdapter::new(typed_to_bytes(&mesh.positions), size_of::<[f32; 3]>(), 0);
@@ -49,7 +52,7 @@ fn simplify(
         &attributes.weights,
         attributes.weights.len() * size_of::<f32>(),
         &vec![false; mesh.vertex_count()],
-        3 * request.target_count,
+        3 * target_count,
         error_limit as f32,
         options,
         None,
@@ -109,6 +112,7 @@ mod tests {
     use striata::mesh::{AttributeLayer, shapes};
 
     use super::*;
+    use crate::compare::assets::contender::Request;
 
     #[test]
     fn attributes_are_interleaved() {
