@@ -132,7 +132,8 @@ pub fn write_scene(
     scene: &Scene,
     has_cache_order: bool,
     path: &Path,
-    (args, output): (&FormatArgs, &Output),
+    args: &FormatArgs,
+    output: &Output,
 ) -> Result<(), Failure> {
     write_encoded(&encoded_scene(scene, has_cache_order, path, args)?, path, output)
 }
@@ -145,7 +146,8 @@ pub fn write_mesh(
     mesh: &IndexedMesh,
     primitives: Primitives,
     path: &Path,
-    (args, output): (&FormatArgs, &Output),
+    args: &FormatArgs,
+    output: &Output,
 ) -> Result<(), Failure> {
     write_encoded(&encoded(mesh, primitives, path, args)?, path, output)
 }

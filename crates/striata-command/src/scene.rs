@@ -229,7 +229,8 @@ pub fn full_scene_sizes(received: &ReceivedScene, needs_diagonal: bool) -> FullM
 pub fn build_scene(
     input: &Input,
     scene: &Scene,
-    (args, limits): (&SequenceArgs, Limits),
+    args: &SequenceArgs,
+    limits: Limits,
     progress: &mut ProgressFn<'_>,
 ) -> Result<LodScene, Failure> {
     let options = args.scene_options(scene, limits.max_error.is_some())?;
@@ -290,11 +291,7 @@ fn entries<'v>(document: &'v Value, key: &str) -> &'v [Value] {
 ///
 /// # Errors
 /// If the data of an animation are damaged.
-pub fn edited(
-    mut scene: Scene,
-    (edits, merges): (&EditArgs, bool),
-    output: &Output,
-) -> Result<Scene, Failure> {
+pub fn edited(mut scene: Scene, edits: &EditArgs, merges: bool, output: &Output) -> Result<Scene, Failure> {
     if merges || edits.dedup {
         let (merged, counts) = scene.deduplicated();
         scene = merged;

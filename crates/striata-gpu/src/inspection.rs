@@ -32,7 +32,8 @@ impl Inspection {
         gpu: &Gpu,
         painter: &Painter,
         vertices: &GpuVertices,
-        (triangles, colors): (&[[u32; 3]], &[[u8; 4]]),
+        triangles: &[[u32; 3]],
+        colors: &[[u8; 4]],
     ) -> Result<Self, GpuError> {
         assert_eq!(colors.len(), triangles.len(), "one color per triangle is required");
         let indices = GpuIndices::upload(gpu, cast_slice(triangles))?;

@@ -61,7 +61,7 @@ impl Gpu {
         let (whole, both) = (0..3, 0..7);
         let list = Drawing::List { indices: &triangle, groups: std::slice::from_ref(&whole) };
         let strips = Drawing::Strips { indices: &strips, groups: std::slice::from_ref(&both) };
-        let inspection = Inspection::new(self, painter, &vertices, (&[TRIANGLE], &[[255; 4]]))?;
+        let inspection = Inspection::new(self, painter, &vertices, &[TRIANGLE], &[[255; 4]])?;
         let draws: [ProbeCase<'_>; 3] = [
             ProbeCase {
                 what: "a triangle list",

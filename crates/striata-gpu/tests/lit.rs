@@ -332,7 +332,7 @@ fn images_can_be_replaced() {
     };
     assert_near(color(&materials), [200, 0, 0, 255], 1);
     let finer = image(8, 8, |_, _| [0, 150, 0, 255]);
-    materials.replace_image(gpu, &test.painter, (0, &finer)).unwrap();
+    materials.replace_image(gpu, &test.painter, 0, &finer).unwrap();
     assert_near(color(&materials), [0, 150, 0, 255], 1);
-    assert!(materials.replace_image(gpu, &test.painter, (1, &finer)).is_err());
+    assert!(materials.replace_image(gpu, &test.painter, 1, &finer).is_err());
 }

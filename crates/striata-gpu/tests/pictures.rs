@@ -125,8 +125,8 @@ fn single_triangles_match_and_show_their_colors_and_edges() {
     let [r, g, b] = test.look.base.map(|x| (255.0 * x + 0.5) as u8);
     let colors = vec![[r, g, b, 255]; mesh.triangle_count()];
     let inspect = |test: &PictureTest, colors: &[[u8; 4]]| {
-        let triangles = (&mesh.triangles[..], colors);
-        let inspection = Inspection::new(&test.gpu, &test.painter, &test.vertices, triangles).unwrap();
+        let PictureTest { gpu, painter, vertices, .. } = test;
+        let inspection = Inspection::new(gpu, painter, vertices, &mesh.triangles, colors).unwrap();
         let paint = |pass: &mut wgpu::RenderPass<'_>| test.painter.inspect(pass, &test.scene, &inspection);
         test.canvas.paint(&test.gpu, test.look.background, paint).unwrap()
     };

@@ -45,6 +45,7 @@ mod prefix_parts;
 mod progress;
 #[cfg(feature = "stream")]
 mod scene_model;
+#[cfg(feature = "stream")]
 mod scene_parts;
 #[cfg(any(feature = "stream", feature = "files"))]
 mod shown_level;

@@ -29,13 +29,13 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     let format = format_of(path, &args.format)?;
     let input = paged::open_input(&args.input, usize::MAX)?;
     if format.has_scenes() && input.scene_kind().is_some() && !args.scene.flat {
-        return scene::convert(args, &input, (path, format.extension()), output);
+        return scene::convert(args, &input, path, format.extension(), output);
     }
     let mesh = with_mesh_textures(input.mesh(output)?, args.textures.options().as_ref(), output)?;
     // Meshes keep the order that they come in; levels have none of their own.
     let has_levels = input.has_levels() || input.has_scene_levels();
     let primitives = if has_levels { Primitives::Triangles } else { Primitives::UnsortedTriangles };
-    write_mesh(&mesh, primitives, path, (&args.format, output))?;
+    write_mesh(&mesh, primitives, path, &args.format, output)?;
     let report = Report {
         vertex_count: mesh.vertex_count(),
         triangle_count: mesh.triangle_count(),

@@ -69,7 +69,7 @@ pub(crate) fn run(args: &DecodeArgs, output: &Output) -> Result<(), Failure> {
         None => DecodedLevel::of_all(steps, &received),
     };
     bar.phase("write");
-    write_mesh(&decoded.mesh, Primitives::Triangles, &args.output.output, (&args.output.format, output))?;
+    write_mesh(&decoded.mesh, Primitives::Triangles, &args.output.output, &args.output.format, output)?;
     drop(bar);
     if let Some(remark) = received.truncation_note(&input.name) {
         output.say(&remark);

@@ -49,12 +49,12 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     bar.phase("read");
     let input = Input::open(&args.input)?;
     if is_scene(&input, format, args) {
-        return encode_scene(args, &input, (&path, format), output);
+        return encode_scene(args, &input, &path, format, output);
     }
     let mesh = input.mesh(output)?;
     if !mesh.appearance.images.is_empty() && format == Format::Stream && !args.scene.flat {
         // The stream of a scene sends previews of textures before the textures.
-        return encode_scene(args, &input, (&path, format), output);
+        return encode_scene(args, &input, &path, format, output);
     }
     let mesh = with_mesh_textures(mesh, args.textures.options().as_ref(), output)?;
     phases.enter("weld");
@@ -81,7 +81,7 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     phases.leave();
     drop(bar);
     let encoded = EncodeResult { mesh: &mesh, sequenced: &sequenced, stream: &stream };
-    let report = Report::new(&encoded, (display_name(&path), bytes.len()), phases)?;
+    let report = Report::new(&encoded, display_name(&path), bytes.len(), phases)?;
     output.summary(&report, &report.to_text(args, &options))
 }
 
@@ -126,15 +126,16 @@ fn is_scene(input: &Input, format: Format, args: &EncodeArgs) -> bool {
 fn encode_scene(
     args: &EncodeArgs,
     input: &Input,
-    output_file: (&Path, Format),
+    path: &Path,
+    format: Format,
     output: &Output,
 ) -> Result<(), Failure> {
-    if output_file.1 == Format::Striata {
-        let path = output_file.0.display();
+    if format == Format::Striata {
+        let path = path.display();
         return Err(Failure::user(format!("{path}: a .striata file cannot contain the stream of a scene"))
             .with_hint("use the extension .stri or .glb, or write the levels with `striata build`"));
     }
-    scene::encode(args, input, output_file, output)
+    scene::encode(args, input, path, format, output)
 }
 
 /// Wraps the stream in a `.striata` file without other models.
@@ -189,7 +190,8 @@ struct Report {
 impl Report {
     fn new(
         encoded: &EncodeResult<'_>,
-        (path, output_bytes): (String, usize),
+        path: String,
+        output_bytes: usize,
         phases: Phases,
     ) -> Result<Self, Failure> {
         let levels = encoded.sequenced.steps.levels();

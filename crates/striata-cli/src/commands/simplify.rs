@@ -29,14 +29,14 @@ const REVERSE_SAMPLES: usize = 100_000;
 pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     output.check_stdout_is_free(is_stdout(&args.output.output))?;
-    check_outputs(&args.level, &args.levels, (&args.output.output, &args.output.format))?;
+    check_outputs(&args.level, &args.levels, &args.output.output, &args.output.format)?;
     let placement = ChosenPlacement::of(args)?;
     let mut bar = output.bar();
     bar.phase("read");
     let input = Input::open(&args.input)?;
     if (input.scene_kind().is_some() && !args.scene.flat) || args.levels.lod_chain {
         drop(bar);
-        return scene::simplify((args, placement), &input, started, output);
+        return scene::simplify(args, placement, &input, started, output);
     }
     let mesh = with_mesh_textures(input.mesh(output)?, args.textures.options().as_ref(), output)?;
     args.sequence.warn_about_groups(&mesh, output);
@@ -59,16 +59,16 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let mut simplify_secs = simplify_started.elapsed().as_secs_f64();
     for request in &requests {
         let level_started = Instant::now();
-        let resolved = resolve(&made, request.target);
+        let (split_count, stop_reason) = resolve(&made, request.target);
         let simplified = match &plan {
             SequencePlan::Quadric { options, .. } if is_fitted => {
-                let split_count = |limit| resolved.0.max(made.steps.levels().split_count_for_error(limit));
-                let level_within = |limit| level_at(&made, (split_count(limit), resolved.1));
+                let within = |limit| split_count.max(made.steps.levels().split_count_for_error(limit));
+                let level_within = |limit| level_at(&made, within(limit), stop_reason);
                 let report = &mut |progress| bar.show(progress);
                 fit_within(&mesh, level_within, options, fitting_limit(request), report)
                     .map_err(|error| in_file(error.into()))?
             }
-            _ => level_at(&made, resolved),
+            _ => level_at(&made, split_count, stop_reason),
         };
         simplify_secs += level_started.elapsed().as_secs_f64();
         let mut level = made_level(request, &simplified, &coarsening_limit);
@@ -143,7 +143,7 @@ fn resolve(sequenced: &SimplifiedSteps, target: Option<Target>) -> (usize, StopR
 }
 
 /// Returns a level of a sequence.
-fn level_at(sequenced: &SimplifiedSteps, (split_count, stop_reason): (usize, StopReason)) -> Simplified {
+fn level_at(sequenced: &SimplifiedSteps, split_count: usize, stop_reason: StopReason) -> Simplified {
     let steps = &sequenced.steps;
     let error = f64::from(steps.levels().error_at(split_count));
     Simplified { mesh: steps.level(split_count).without_unused_vertices(), error, stop_reason }

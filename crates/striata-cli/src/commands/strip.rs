@@ -70,7 +70,7 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
         let StripLists { lists, index_count, plain_group_count } = StripLists::new(&mesh, &stripped.strips);
         report.stitched_index_count = Some(index_count);
         report.plain_group_count = Some(plain_group_count);
-        write_mesh(&mesh, Primitives::Strips(lists), path, (&format, output))?;
+        write_mesh(&mesh, Primitives::Strips(lists), path, &format, output)?;
     }
     drop(bar);
     report.secs = started.elapsed().as_secs_f64();

@@ -8,7 +8,9 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 
 use crate::workbench::{Workbench, assert_keys, sphere};
-use striata_testing::server::{Answer, Connection, FILE, PATIENCE, Plan, Server, memory_kb, run, write_file};
+use striata_testing::server::{
+    Answer, Connection, FILE, LoadPlan, PATIENCE, Server, memory_kb, run, write_file,
+};
 
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 
@@ -558,7 +560,7 @@ fn many_clients_get_correct_bytes_and_memory_stays_constant() {
     write_file(&bench.path("."));
     let server = serve(&bench, ".", &[]);
     let idle_kb = memory_kb(server.id(), "VmHWM:").unwrap_or(0);
-    let outcome = run(&server, Plan { quick: 46, slow: 4, lasts: Duration::from_secs(3) });
+    let outcome = run(&server, LoadPlan { quick: 46, slow: 4, lasts: Duration::from_secs(3) });
     assert_eq!(outcome.errors, [""; 0]);
     assert!(outcome.latencies.len() > 46 && outcome.slow_bytes >= 4 * 2048, "{outcome:?}");
     // The code of the command counts as memory, too; it is larger in test builds and with a window.

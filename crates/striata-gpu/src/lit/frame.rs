@@ -70,9 +70,9 @@ impl LitFrame {
         let uniform = gpu.empty_buffer("frame", FRAME_BYTES, usage)?;
         let bytes = bytes_of_halves(environment_table(environment).as_flattened());
         let size = [COLUMN_COUNT as u32, ROW_COUNT as u32];
-        let table = upload_table(gpu, TextureFormat::Rgba16Float, (size, bytes));
+        let table = upload_table(gpu, TextureFormat::Rgba16Float, size, bytes);
         let bindings = frame_bindings(gpu, painter, &uniform, &table);
-        let instances = InstanceBuffers::new(gpu, painter, (1, 1))?;
+        let instances = InstanceBuffers::new(gpu, painter, 1, 1)?;
         Ok(Self { environment: *environment, uniform, bindings, instances, draws: Vec::new() })
     }
 
@@ -88,15 +88,15 @@ impl LitFrame {
             return Err(GpuError::TooManyLights { count, limit });
         }
         let encodes_srgb = !painter.format().is_srgb();
-        let view = (&scene.camera, scene.size);
-        let data = FrameData::new(view, &self.environment, scene.lights, encodes_srgb);
+        let environment = &self.environment;
+        let data = FrameData::new(&scene.camera, scene.size, environment, scene.lights, encodes_srgb);
         gpu.queue.write_buffer(&self.uniform, 0, bytes_of(&data));
         let eye = DVec3::from(scene.camera.eye);
         let mut texels = Vec::new();
         let posed: Vec<PosedObject> =
             scene.objects.iter().map(|object| PosedObject::new(object, eye, &mut texels)).collect();
-        self.instances.write(gpu, painter, (&posed, &texels))?;
-        self.draws = self.sorted_draws(gpu, painter, (scene, &posed))?;
+        self.instances.write(gpu, painter, &posed, &texels)?;
+        self.draws = self.sorted_draws(gpu, painter, scene, &posed)?;
         Ok(())
     }
 
@@ -125,7 +125,8 @@ impl LitFrame {
         &self,
         gpu: &Gpu,
         painter: &LitPainter,
-        (scene, posed): (&LitScene<'_>, &[PosedObject]),
+        scene: &LitScene<'_>,
+        posed: &[PosedObject],
     ) -> Result<Vec<Draw>, GpuError> {
         let [.., back] = screen_axes(&scene.camera);
         let (mut draws, mut blended) = (Vec::new(), Vec::new());
@@ -168,11 +169,7 @@ impl LitFrame {
 }
 
 impl InstanceBuffers {
-    fn new(
-        gpu: &Gpu,
-        painter: &LitPainter,
-        (capacity, texel_count): (usize, usize),
-    ) -> Result<Self, GpuError> {
+    fn new(gpu: &Gpu, painter: &LitPainter, capacity: usize, texel_count: usize) -> Result<Self, GpuError> {
         let alignment = u64::from(gpu.device.limits().min_uniform_buffer_offset_alignment.max(1));
         let stride = INSTANCE_BYTES.next_multiple_of(alignment);
         let usage = BufferUsages::UNIFORM | BufferUsages::COPY_DST;
@@ -197,12 +194,13 @@ impl InstanceBuffers {
         &mut self,
         gpu: &Gpu,
         painter: &LitPainter,
-        (posed, texels): (&[PosedObject], &[[f32; 4]]),
+        posed: &[PosedObject],
+        texels: &[[f32; 4]],
     ) -> Result<(), GpuError> {
         if posed.len() > self.capacity || texels.len() > self.texels.capacity() {
             let room = |needed: usize, present: usize| if needed > present { needed } else { present };
-            let needed = (room(posed.len(), self.capacity), room(texels.len(), self.texels.capacity()));
-            *self = Self::new(gpu, painter, needed)?;
+            let capacity = room(posed.len(), self.capacity);
+            *self = Self::new(gpu, painter, capacity, room(texels.len(), self.texels.capacity()))?;
         }
         let mut bytes = vec![0; self.stride as usize * posed.len()];
         for (slot, posed) in bytes.chunks_mut(self.stride as usize).zip(posed) {

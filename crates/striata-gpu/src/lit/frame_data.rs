@@ -41,7 +41,8 @@ pub(crate) const FRAME_BYTES: u64 = size_of::<FrameData>() as u64;
 
 impl FrameData {
     pub(crate) fn new(
-        (camera, [width, height]): (&LitCamera, [u32; 2]),
+        camera: &LitCamera,
+        [width, height]: [u32; 2],
         environment: &Environment,
         lights: &[LitLight],
         encodes_srgb: bool,

@@ -101,7 +101,8 @@ impl LitMaterials {
         &mut self,
         gpu: &Gpu,
         painter: &LitPainter,
-        (index, image): (usize, &LitImage),
+        index: usize,
+        image: &LitImage,
     ) -> Result<(), GpuError> {
         if index >= self.image_count {
             let (material, image_count) = (String::new(), self.image_count);

@@ -79,11 +79,8 @@ impl LitPainter {
         });
         let table = reflectance_table();
         let side = SIDE as u32;
-        let reflectance = upload_table(
-            gpu,
-            TextureFormat::Rg16Float,
-            ([side, side], bytes_of_halves(table.as_flattened())),
-        );
+        let reflectance =
+            upload_table(gpu, TextureFormat::Rg16Float, [side, side], bytes_of_halves(table.as_flattened()));
         Self {
             frame_layout,
             material_layout,
@@ -139,7 +136,8 @@ pub(crate) fn data_view(texture: &DataTexture) -> TextureView {
 pub(crate) fn upload_table(
     gpu: &Gpu,
     format: TextureFormat,
-    ([width, height], bytes): ([u32; 2], Vec<u8>),
+    [width, height]: [u32; 2],
+    bytes: Vec<u8>,
 ) -> TextureView {
     let size = Extent3d { width, height, depth_or_array_layers: 1 };
     let texture = gpu.device.create_texture(&TextureDescriptor {

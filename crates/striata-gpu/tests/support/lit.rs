@@ -23,7 +23,7 @@ pub(crate) fn camera() -> LitCamera {
 }
 
 /// A device and a painter for all tests: opening and compiling takes longer than drawing.
-pub(crate) static SHARED: LazyLock<(Gpu, Arc<LitPainter>)> = LazyLock::new(|| {
+static SHARED: LazyLock<(Gpu, Arc<LitPainter>)> = LazyLock::new(|| {
     let gpu = gpu();
     let painter = LitPainter::new(&gpu, Canvas::FORMAT, 1);
     (gpu, Arc::new(painter))

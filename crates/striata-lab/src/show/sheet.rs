@@ -13,7 +13,7 @@ use crate::compare::plot::{FONT, INK, RULE, SERIES, SOFT};
 /// Size of the picture in pixels.
 pub(super) const SIZE: DVec2 = DVec2::new(1200.0, 640.0);
 /// Height of the part for panels; texts go below it.
-pub(super) const PANEL_HEIGHT: f64 = 470.0;
+const PANEL_HEIGHT: f64 = 470.0;
 /// Margin around what a panel shows.
 const MARGIN: f64 = 36.0;
 /// Lightness that is added to a color to fill an area.
@@ -21,7 +21,7 @@ const TINT: f64 = 0.72;
 
 pub(super) const DARK: RGBColor = INK.0;
 pub(super) const GRAY: RGBColor = SOFT.0;
-pub(super) const PALE: RGBColor = RULE.0;
+const PALE: RGBColor = RULE.0;
 
 /// Color of a strip, a step or a level.
 pub(super) fn color(index: usize) -> RGBColor {

@@ -16,7 +16,7 @@ const VERSION: u32 = 1;
 /// A stage has at least so many tasks, if it has as many cells.
 const MIN_TASKS: u64 = 16;
 /// Name of the plan in its folder.
-pub(super) const PLAN_NAME: &str = "plan.json";
+const PLAN_NAME: &str = "plan.json";
 /// Name of the positions that become others, in the same folder.
 const WELD_NAME: &str = "weld.bin";
 /// Name of the partition in the same folder.

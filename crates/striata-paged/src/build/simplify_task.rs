@@ -45,7 +45,7 @@ pub(super) fn run(
 }
 
 /// Reads everything that was sent to a cell.
-pub(super) fn read_cell(parts: &PartIndex, id: PageId, like: &CellMesh) -> Result<Cell, PagedBuildError> {
+fn read_cell(parts: &PartIndex, id: PageId, like: &CellMesh) -> Result<Cell, PagedBuildError> {
     let mut whole = Cell::default();
     for (part, segment) in parts.find(id) {
         let bytes = part.read(segment)?;

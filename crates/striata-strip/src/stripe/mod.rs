@@ -81,7 +81,7 @@ fn grow(
     }
 }
 
-/// Where a walk begins.
+/// Start of a walk.
 struct WalkStart {
     exit: u32,
     /// Which turn of the first triangle needs no swap; [`None`] if both do not.

@@ -69,7 +69,7 @@ pub(crate) fn ends_of(task: &StripTask<'_>, links: &StripLinks<'_>) -> Vec<u32> 
 }
 
 /// Returns the triangles at which strips end, in random order.
-pub(crate) fn shuffled_ends(task: &StripTask<'_>, links: &StripLinks<'_>, random: &mut Random) -> Vec<u32> {
+fn shuffled_ends(task: &StripTask<'_>, links: &StripLinks<'_>, random: &mut Random) -> Vec<u32> {
     let mut ends = ends_of(task, links);
     for i in (1..ends.len()).rev() {
         ends.swap(i, random.below(i as u32 + 1) as usize);

@@ -12,7 +12,6 @@ use striata_gpu::{
 };
 
 use super::gpu_look::{LookPainter, UploadedLook};
-use super::paint::Color;
 use super::rendered_picture::Drawn;
 use super::shot::{LineTriangles, Paint, STONE, Shot};
 use super::{Camera, Canvas};
@@ -125,7 +124,7 @@ impl GpuRenderer {
             }
             None => {
                 let look = look(shot, shot.edge_opacity(camera, height), factor as f32);
-                Uploaded::Plain(self.upload(shot, (camera, size), &look)?)
+                Uploaded::Plain(self.upload(shot, camera, size, &look)?)
             }
         };
         // The first frame pays for shader compilation and first use of memory.
@@ -172,7 +171,8 @@ impl GpuRenderer {
     fn upload(
         &self,
         shot: &Shot<'_>,
-        (camera, size): (&Camera, [u32; 2]),
+        camera: &Camera,
+        size: [u32; 2],
         look: &Look,
     ) -> Result<UploadedShot, GpuError> {
         let (gpu, painter) = (&self.gpu, &self.painter);
@@ -186,8 +186,7 @@ impl GpuRenderer {
         }
         let surface = match (shot.colors_of_triangles(), shot.strips) {
             (Some(colors), _) => {
-                let triangles: (&[[u32; 3]], &[Color]) = (&shot.triangles, &colors);
-                Surface::Triangles(Inspection::new(gpu, painter, &vertices, triangles)?)
+                Surface::Triangles(Inspection::new(gpu, painter, &vertices, &shot.triangles, &colors)?)
             }
             (None, Some(strips)) => {
                 let indices = GpuIndices::upload(gpu, &strips.indices)?;
@@ -205,8 +204,7 @@ impl GpuRenderer {
             None
         } else {
             let scene = painter.scene(gpu, &vertices, view, &Look::default().with_light(0.0))?;
-            let triangles: (&[[u32; 3]], &[Color]) = (&lines.triangles, &lines.colors);
-            Some((scene, Inspection::new(gpu, painter, &vertices, triangles)?))
+            Some((scene, Inspection::new(gpu, painter, &vertices, &lines.triangles, &lines.colors)?))
         };
         Ok(UploadedShot { vertices, surface, lines, scene })
     }

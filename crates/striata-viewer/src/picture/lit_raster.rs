@@ -29,7 +29,8 @@ pub(super) fn draw(
     shot: &Shot<'_>,
     look: &SceneLook,
     camera: &Camera,
-    ([width, height], max_band_rows): ([usize; 2], usize),
+    [width, height]: [usize; 2],
+    max_band_rows: usize,
 ) -> Canvas {
     let view = View::new(shot, camera, [DOWNSAMPLING * width, DOWNSAMPLING * height]);
     let positions: Vec<Vec3> = shot.vertices.positions.iter().map(|&p| view.to_camera_space(p)).collect();
@@ -211,7 +212,7 @@ impl Picture<'_> {
             }
             let same = || (first..number.len()).filter(|&i| number[i] == number[first]);
             let middle = mean(same().map(|i| samples[i]), band.rows.start);
-            let color = self.surface.shade(number[first] as usize, &self.grid, (self.eye, middle));
+            let color = self.surface.shade(number[first] as usize, &self.grid, self.eye, middle);
             same().for_each(|i| band.canvas.row_mut(samples[i][1])[samples[i][0]] = color);
         }
     }
@@ -230,7 +231,7 @@ impl Picture<'_> {
         visible.sort_unstable_by_key(pixel);
         for samples in visible.chunk_by(|a, b| pixel(a) == pixel(b)) {
             let middle = mean(samples.iter().copied(), start);
-            let [r, g, b, a] = self.surface.shade(triangle.index as usize, &self.grid, (self.eye, middle));
+            let [r, g, b, a] = self.surface.shade(triangle.index as usize, &self.grid, self.eye, middle);
             for &[x, y] in samples {
                 let below = &mut band.canvas.row_mut(y)[x];
                 let [r0, g0, b0, a0] = *below;
@@ -302,7 +303,7 @@ mod tests {
 
     fn drawn(mesh: &IndexedMesh, look: &SceneLook, camera: &Camera) -> Canvas {
         let shot = Shot { look: Some(look), ..Shot::of(mesh, Paint::Surface, Style::SMOOTH) };
-        draw(&shot, look, camera, ([SIZE, SIZE], 1000))
+        draw(&shot, look, camera, [SIZE, SIZE], 1000)
     }
 
     fn at(canvas: &Canvas, x: usize, y: usize) -> [f32; 4] {
@@ -427,9 +428,9 @@ mod tests {
         };
         let look = look(vec![glass, Material::default()], Vec::new());
         let shot = Shot { look: Some(&look), ..Shot::of(&mesh, Paint::Surface, Style::SMOOTH) };
-        let whole = draw(&shot, &look, &CAMERA, ([40, 30], 30));
+        let whole = draw(&shot, &look, &CAMERA, [40, 30], 30);
         for rows in [1, 7] {
-            assert_eq!(draw(&shot, &look, &CAMERA, ([40, 30], rows)), whole, "{rows} rows");
+            assert_eq!(draw(&shot, &look, &CAMERA, [40, 30], rows), whole, "{rows} rows");
         }
     }
 }

@@ -102,12 +102,7 @@ impl<'a> LitSurface<'a> {
     }
 
     /// Returns the light and the opacity of a triangle at a point of the picture.
-    pub(super) fn shade(
-        &self,
-        triangle: usize,
-        grid: &PixelGrid,
-        (eye, pixel): (Vec3, [f64; 2]),
-    ) -> [f32; 4] {
+    pub(super) fn shade(&self, triangle: usize, grid: &PixelGrid, eye: Vec3, pixel: [f64; 2]) -> [f32; 4] {
         let material = self.material(triangle);
         let weights = self.weights(triangle, grid, pixel);
         let [r, g, b, a] = self.base_color(triangle, &weights);

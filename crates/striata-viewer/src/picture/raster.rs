@@ -27,7 +27,7 @@ const BAND_PIXELS: usize = 4 << 20;
 pub(super) fn draw(shot: &Shot<'_>, camera: &Camera, [width, height]: [usize; 2]) -> Canvas {
     let band_rows = (BAND_PIXELS / (DOWNSAMPLING * DOWNSAMPLING * width.max(1))).max(1);
     if let Some(look) = shot.visible_look() {
-        return lit_raster::draw(shot, look, camera, ([width, height], band_rows));
+        return lit_raster::draw(shot, look, camera, [width, height], band_rows);
     }
     draw_in_bands(shot, camera, [width, height], band_rows)
 }
@@ -239,8 +239,7 @@ impl Band {
                     let edges = (0..3).filter(|&k| triangle.is_edge[k]);
                     let edge_distance =
                         edges.map(|k| on_screen[k] * heights[k]).fold(f32::INFINITY, f32::min);
-                    self.canvas.row_mut(row)[x] =
-                        style.at((&triangle.corners, weights), facing, edge_distance);
+                    self.canvas.row_mut(row)[x] = style.at(&triangle.corners, weights, facing, edge_distance);
                 }
             }
         }
@@ -249,7 +248,7 @@ impl Band {
 
 impl SurfaceStyle {
     /// Color of a point at a distance in pixels from the nearest edge.
-    fn at(&self, (corners, weights): (&[Corner; 3], Vec3), facing: Vec3, edge_distance: f32) -> Rgba {
+    fn at(&self, corners: &[Corner; 3], weights: Vec3, facing: Vec3, edge_distance: f32) -> Rgba {
         let mixed = |of: fn(&Corner) -> Vec3| -> Vec3 {
             let of = [0, 1, 2].map(|k| of(&corners[k]));
             std::array::from_fn(|axis| (0..3).map(|k| weights[k] * of[k][axis]).sum())

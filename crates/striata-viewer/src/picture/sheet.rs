@@ -110,7 +110,7 @@ pub struct Sheet {
 
 impl Sheet {
     /// Creates a sheet of `[width, height]` pixels with a grid of panels.
-    pub fn new(size: [usize; 2], (columns, rows): (usize, usize)) -> Self {
+    pub fn new(size: [usize; 2], columns: usize, rows: usize) -> Self {
         let (columns, rows) = (columns.max(1), rows.max(1));
         Self { size, columns, rows, has_text: false, shares_text: false, bar: None }
     }
@@ -175,7 +175,7 @@ impl Sheet {
     fn write(&self, sheet: &mut Canvas, text: &str, (size, color): (f32, Rgba), position: [f32; 2]) {
         let room = 0.88 * self.panel_size()[0] as f32;
         let size = size * (room / width(text, size).max(1.0)).min(1.0);
-        write(sheet, text, (size, color), (position, Align::Middle));
+        write(sheet, text, (size, color), position, Align::Middle);
     }
 
     /// Font size of titles, pixels.
@@ -218,7 +218,7 @@ impl Sheet {
             }
         }
         let x = left as f32;
-        write(sheet, &bar.title, (size, theme.ink), ([x, top as f32 - 1.5 * size], Align::Left));
+        write(sheet, &bar.title, (size, theme.ink), [x, top as f32 - 1.5 * size], Align::Left);
         let last = bar.marks.len().saturating_sub(1).max(1) as f32;
         for (index, mark) in bar.marks.iter().enumerate() {
             let y = bottom as f32 - index as f32 / last * (bottom - top) as f32;
@@ -227,7 +227,7 @@ impl Sheet {
                 sheet.tint([(left + thick) as i64 + dx, tick], theme.soft_ink, 1.0);
             }
             let position = [x + thick as f32 + 0.65 * size, y];
-            write(sheet, mark, (size, theme.ink), (position, Align::Left));
+            write(sheet, mark, (size, theme.ink), position, Align::Left);
         }
     }
 }
@@ -243,7 +243,7 @@ mod tests {
 
     #[test]
     fn panels_are_placed_between_their_texts() {
-        let sheet = Sheet::new([400, 300], (2, 2)).with_text(true);
+        let sheet = Sheet::new([400, 300], 2, 2).with_text(true);
         let size = sheet.panel_size();
         let colors = [[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [0.0, 0.0, 1.0, 1.0], [0.5, 0.5, 0.0, 1.0]];
         let panels = colors.map(|color| panel(size, color));
@@ -266,7 +266,7 @@ mod tests {
     fn a_bar_goes_from_the_first_color_to_the_last() {
         let marks = ["0", "0.5", "1"].map(str::to_owned).to_vec();
         let bar = ColorBar { title: "distance".to_owned(), marks };
-        let sheet = Sheet::new([300, 200], (1, 1)).with_bar(bar);
+        let sheet = Sheet::new([300, 200], 1, 1).with_bar(bar);
         let [width, _] = sheet.panel_size();
         assert!(width < 260);
         let canvas = sheet.assemble(&[panel(sheet.panel_size(), [0.0; 4])], &Theme::DARK);
@@ -284,7 +284,7 @@ mod tests {
         for size in [[1, 1], [3, 200], [200, 3]] {
             let marks = vec!["0".to_owned(), "1".to_owned()];
             let bar = ColorBar { title: "t".to_owned(), marks };
-            let sheet = Sheet::new(size, (3, 2)).with_text(false).with_bar(bar);
+            let sheet = Sheet::new(size, 3, 2).with_text(false).with_bar(bar);
             let panels = vec![panel(sheet.panel_size(), [1.0; 4]); 6];
             let canvas = sheet.assemble(&panels, &Theme::on([0.0; 4]));
             assert_eq!([canvas.width, canvas.height], size);

@@ -15,7 +15,7 @@ const MAX_TERRAIN_HEIGHT: f32 = 0.3;
 pub fn portrait(mesh: IndexedMesh, look: Option<&SceneLook>, size: [usize; 2]) -> Canvas {
     // Materials show vertices without normals flat, as glTF prescribes.
     let mesh = if look.is_some() { mesh } else { with_all_normals(&mesh).into_owned() };
-    draw(&mesh, (Paint::Surface, look), size)
+    draw(&mesh, Paint::Surface, look, size)
 }
 
 /// Draws a placeholder for models that cannot be drawn: a faint octahedron.
@@ -35,16 +35,12 @@ pub fn placeholder(size: [usize; 2]) -> Canvas {
     let mesh = IndexedMesh::new(positions.to_vec(), triangles.collect());
     let room = size.map(|side| side / 2);
     let mut canvas = Canvas::filled(size[0], size[1], BACKGROUND);
-    canvas.blend(&draw(&mesh, (Paint::Triangles(vec![FAINT; 8]), None), room), room[0] / 2, room[1] / 2);
+    canvas.blend(&draw(&mesh, Paint::Triangles(vec![FAINT; 8]), None, room), room[0] / 2, room[1] / 2);
     canvas
 }
 
 /// Draws without a GPU, since a server draws in the background on any machine.
-fn draw(
-    mesh: &IndexedMesh,
-    (paint, look): (Paint, Option<&SceneLook>),
-    [width, height]: [usize; 2],
-) -> Canvas {
+fn draw(mesh: &IndexedMesh, paint: Paint, look: Option<&SceneLook>, [width, height]: [usize; 2]) -> Canvas {
     let mut canvas = Canvas::filled(width, height, BACKGROUND);
     if let Some(camera) = camera(mesh, look.is_none(), width as f32 / height as f32) {
         let is_flat = matches!(paint, Paint::Triangles(_));

@@ -61,7 +61,7 @@ pub fn run(args: &WindowArgs, output: &Output) -> Result<(), Failure> {
     let waker = Arc::new(move || {
         let _ = proxy.send_event(Wake);
     });
-    let mut viewer = Viewer::new(args.files.clone(), initial_state(&args.first), (*output, waker));
+    let mut viewer = Viewer::new(args.files.clone(), initial_state(&args.first), *output, waker);
     viewer.first_pose = Some(args.first.pose.clone());
     if args.first.z_up {
         viewer.orbit.set_up(Up::Z);

@@ -144,7 +144,8 @@ impl SceneRenderer {
         &mut self,
         subject: &MeshSubject,
         instance: &mut ModelInstance,
-        (inspection_mode, is_new): (InspectionMode, bool),
+        inspection_mode: InspectionMode,
+        is_new: bool,
     ) -> Result<(), GpuError> {
         let Some(Resources::Mesh(resources)) = &mut self.resources else { return Ok(()) };
         let uploaded_before = resources.uploaded_bytes();
@@ -156,7 +157,7 @@ impl SceneRenderer {
                 };
                 let colors = triangle_colors(colors, &numbers);
                 let vertices = &resources.vertices;
-                let inspection = Inspection::new(&self.gpu, &self.painter, vertices, (&triangles, &colors))?;
+                let inspection = Inspection::new(&self.gpu, &self.painter, vertices, &triangles, &colors)?;
                 resources.inspection = Some(inspection);
                 self.uploaded_bytes += 16 * triangles.len() as u64;
             }
@@ -167,14 +168,14 @@ impl SceneRenderer {
         }
         (resources.inspection_mode, resources.inspection) = (inspection_mode, None);
         if is_new || resources.morph.is_none() {
-            resources.follow_morphs(&self.gpu, &self.painter, (subject, instance))?;
+            resources.follow_morphs(&self.gpu, &self.painter, subject, instance)?;
         }
         let fans_were_drawn = resources.fans.as_mut().is_some_and(|fans| std::mem::take(&mut fans.is_drawn));
         match instance.instance_for_gpu() {
             Some(_) if fans_were_drawn && !is_new => resources.keep_drawing_fans(),
             Some(instance) => {
                 let extractor = self.extractor.get_or_insert_with(|| FanExtractor::new(&self.gpu));
-                resources.write_fans(&self.gpu, extractor, (subject, instance))?;
+                resources.write_fans(&self.gpu, extractor, subject, instance)?;
             }
             None => resources.write_indices(&self.gpu, instance)?,
         }
@@ -305,7 +306,8 @@ impl MeshResources {
         &mut self,
         gpu: &Gpu,
         extractor: &FanExtractor,
-        (subject, instance): (&MeshSubject, &FanInstance),
+        subject: &MeshSubject,
+        instance: &FanInstance,
     ) -> Result<(), GpuError> {
         if self.fans.is_none() {
             let Some(scene) = subject.fan_scene() else { return Ok(()) };
@@ -325,7 +327,8 @@ impl MeshResources {
         &mut self,
         gpu: &Gpu,
         painter: &Painter,
-        (subject, instance): (&MeshSubject, &ModelInstance),
+        subject: &MeshSubject,
+        instance: &ModelInstance,
     ) -> Result<(), GpuError> {
         let (Some(morphs), Some(refinable)) = (instance.morphs(), subject.refinable()) else {
             self.morph = None;

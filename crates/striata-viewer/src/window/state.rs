@@ -37,7 +37,7 @@ impl ShownModel {
     }
 
     /// Whether the model supports view-dependent detail.
-    pub(super) const fn follows_views(self) -> bool {
+    const fn follows_views(self) -> bool {
         matches!(self, Self::Fans | Self::FansGpu | Self::Patterns)
     }
 

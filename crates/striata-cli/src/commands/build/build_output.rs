@@ -102,13 +102,13 @@ impl BuildPlan {
 /// The contents of a .striata file.
 #[derive(Debug)]
 pub(crate) struct BuildOutput {
-    pub(super) steps: Steps,
+    pub steps: Steps,
     pub(super) models: Models,
-    pub(super) order: OrderArg,
-    pub(super) stop_reason: StopReason,
-    pub(super) error_is_guaranteed: bool,
+    pub order: OrderArg,
+    pub stop_reason: StopReason,
+    pub error_is_guaranteed: bool,
     /// Report on the strips, if a model needs strips.
-    pub(super) strip_report: Option<StripReport>,
+    pub strip_report: Option<StripReport>,
 }
 
 /// Builds the sequence, the strips and the models of a mesh.
@@ -141,7 +141,7 @@ pub(crate) fn build(
     phases.enter("models");
     bar.phase("models");
     let strips = stripped.as_ref().map(|stripped| plan.strip_source(&stripped.strips));
-    let models = Models::build(plan, &sequenced, (strips, stream), bar)?;
+    let models = Models::build(plan, &sequenced, strips, stream, bar)?;
     let order = plan.sequence.order();
     let SimplifiedSteps { steps, stop_reason, error_is_guaranteed, .. } = sequenced;
     Ok(BuildOutput { steps, models, order, stop_reason, error_is_guaranteed, strip_report })

@@ -44,9 +44,9 @@ pub(crate) fn model_costs(mesh: &IndexedMesh, bar: &mut Bar) -> Result<Vec<Model
     let mut costs = Vec::new();
     for kind in ModelKind::ALL.into_iter().filter(|&kind| kind != ModelKind::Progressive) {
         let started = Instant::now();
-        let parts = (Some(plan.strip_source(&stripped.strips)), None);
-        let models =
-            Models::build(&BuildPlan { models: vec![kind], ..plan.clone() }, &sequenced, parts, bar)?;
+        let strips = Some(plan.strip_source(&stripped.strips));
+        let plan = BuildPlan { models: vec![kind], ..plan.clone() };
+        let models = Models::build(&plan, &sequenced, strips, None, bar)?;
         costs.extend(costs_of(&models, &sequenced, started.elapsed().as_secs_f64()));
     }
     // A stream needs collapses in batches, so the mesh is simplified again.
@@ -58,7 +58,7 @@ pub(crate) fn model_costs(mesh: &IndexedMesh, bar: &mut Bar) -> Result<Vec<Model
     let started = Instant::now();
     let stream = stream_of(&mut sequenced, &plan)?;
     let build_secs = started.elapsed().as_secs_f64();
-    let models = Models::build(&plan, &sequenced, (None, stream), bar)?;
+    let models = Models::build(&plan, &sequenced, None, stream, bar)?;
     costs.extend(costs_of(&models, &sequenced, build_secs));
     Ok(costs)
 }

@@ -44,7 +44,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     if is_paged(args) {
         let inputs: Vec<PathBuf> = std::iter::once(&args.input).chain(&args.more).cloned().collect();
         check_paged_flags(args)?;
-        return paged::build(&inputs, (args, &path), output);
+        return paged::build(&inputs, args, &path, output);
     }
     output.check_stdout_is_free(is_stdout(&path))?;
     let models = models_of_names(&args.model_names())?;
@@ -103,7 +103,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     write_bytes(&bytes, &path)?;
     phases.leave();
     drop(bar);
-    let mut report = Report::new(&mesh, &built, (display_name(&path), bytes.len()), phases);
+    let mut report = Report::new(&mesh, &built, display_name(&path), bytes.len(), phases);
     report.shortfall = shortfall;
     output.summary(&report, &report.to_text(args, &built, diagonal))
 }

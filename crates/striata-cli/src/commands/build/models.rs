@@ -73,7 +73,8 @@ impl Models {
     pub(super) fn build(
         plan: &BuildPlan,
         sequenced: &SimplifiedSteps,
-        (strips, stream): (Option<StripSource<'_>>, Option<EncodedStream>),
+        strips: Option<StripSource<'_>>,
+        stream: Option<EncodedStream>,
         bar: &mut Bar,
     ) -> Result<Self, Failure> {
         let is_wanted = |kind: ModelKind| plan.models.contains(&kind);

@@ -41,7 +41,8 @@ impl Report {
     pub(super) fn new(
         mesh: &IndexedMesh,
         built: &BuildOutput,
-        (path, output_bytes): (String, usize),
+        path: String,
+        output_bytes: usize,
         phases: Phases,
     ) -> Self {
         let sequence = built.steps.levels();

@@ -73,7 +73,7 @@ fn draw(scene: &Scene, lods: &LodScene, artist: &mut PictureRenderer) -> Result<
     };
     let full = posed(scene)?;
     let look = SceneLook::of(scene, &ImageLimits::default());
-    let sheet = Sheet::new([1280, 560], (SHARES.len(), 1)).with_text(true);
+    let sheet = Sheet::new([1280, 560], SHARES.len(), 1).with_text(true);
     let size = sheet.panel_size();
     let camera = Camera::around(&full.positions, &ANGLES, size[0] as f32 / size[1] as f32);
     let mut panels = Vec::new();

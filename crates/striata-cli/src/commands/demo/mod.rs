@@ -61,7 +61,7 @@ pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
     viewer::write(&mesh, &mut folder, &mut bar)?;
     pictures.push(amphora::write(&mut folder, &mut artist, &mut bar)?);
     bar.phase("page");
-    let page = render_page(&built, &levels, &folder, (&pictures, bytes.len()));
+    let page = render_page(&built, &levels, &folder, &pictures, bytes.len());
     folder.write("index.html", "the page to open", page.as_bytes())?;
     drop(bar);
     let report = Report {
@@ -79,7 +79,8 @@ fn render_page(
     built: &BuildOutput,
     levels: &[Level],
     folder: &Folder<'_>,
-    (pictures, file_bytes): (&[Picture], usize),
+    pictures: &[Picture],
+    file_bytes: usize,
 ) -> String {
     let sequence = &built.refinable().sequence;
     let intro = format!(

@@ -81,7 +81,7 @@ struct Studio<'a> {
 
 impl Studio<'_> {
     fn levels(&mut self) -> Result<Vec<u8>, Failure> {
-        let sheet = Sheet::new([1280, 980], (SHARES.len(), 2)).with_text(true);
+        let sheet = Sheet::new([1280, 980], SHARES.len(), 2).with_text(true);
         let mut panels = Vec::new();
         for share in SHARES {
             let level = self.level(share);
@@ -100,7 +100,7 @@ impl Studio<'_> {
     }
 
     fn wireframes(&mut self) -> Result<Vec<u8>, Failure> {
-        let sheet = Sheet::new([1280, 520], (SHARES.len(), 1)).with_text(true);
+        let sheet = Sheet::new([1280, 520], SHARES.len(), 1).with_text(true);
         let mut panels = Vec::new();
         for share in SHARES {
             let level = self.level(share);
@@ -115,7 +115,7 @@ impl Studio<'_> {
         let heats: Vec<DistanceMap> = heats.collect::<Result<_, _>>()?;
         let top = heats.iter().map(|heat| heat.max).fold(0.0, f64::max);
         let sheet =
-            Sheet::new([1280, 560], (shares.len(), 1)).with_text(true).with_bar(ColorBar::up_to(top, top));
+            Sheet::new([1280, 560], shares.len(), 1).with_text(true).with_bar(ColorBar::up_to(top, top));
         let original = self.refinable.mesh.clone();
         let mut panels = Vec::new();
         for (&share, heat) in shares.iter().zip(&heats) {
@@ -148,7 +148,7 @@ impl Studio<'_> {
         frustum.draw_into(&mut shot);
         let points = [self.refinable.mesh.positions.clone(), frustum.points()].concat();
         let angles = ViewAngles { turn: 1.35, rise: 0.22, ..PORTRAIT };
-        let sheet = Sheet::new(SIZE, (1, 1)).with_text(true);
+        let sheet = Sheet::new(SIZE, 1, 1).with_text(true);
         let [width, height] = sheet.panel_size();
         let outside = Camera::around(&points, &angles, width as f32 / height as f32);
         let canvas = self.artist.draw(&shot, &outside, [width, height]).canvas;

@@ -30,10 +30,10 @@ pub(super) fn run(args: &ExtractArgs, started: Instant, output: &Output) -> Resu
     }
     let mut file = PagedFile::open(&args.input.to_string_lossy()).map_err(failure_of)?;
     if let Some(eye) = args.eye.eye {
-        return run_view(args, eye, (&mut file, started), output);
+        return run_view(args, eye, &mut file, started, output);
     }
     if let Some(corners) = args.detail_box {
-        return run_box(args, corners, (&mut file, started), output);
+        return run_box(args, corners, &mut file, started, output);
     }
     let metadata = file.metadata();
     let full = FullMesh {
@@ -72,7 +72,8 @@ pub(super) fn run(args: &ExtractArgs, started: Instant, output: &Output) -> Resu
 fn run_view(
     args: &ExtractArgs,
     eye: Point,
-    (file, started): (&mut PagedFile, Instant),
+    file: &mut PagedFile,
+    started: Instant,
     output: &Output,
 ) -> Result<(), Failure> {
     let metadata = file.metadata();
@@ -89,7 +90,8 @@ fn run_view(
 fn run_box(
     args: &ExtractArgs,
     corners: AxisAlignedBox,
-    (file, started): (&mut PagedFile, Instant),
+    file: &mut PagedFile,
+    started: Instant,
     output: &Output,
 ) -> Result<(), Failure> {
     let diagonal = file.metadata().diagonal();
@@ -109,9 +111,9 @@ fn finish(
     (pages, started): (PagesRead, Instant),
     output: &Output,
 ) -> Result<(), Failure> {
-    let report = Report::of_view_or_box(ModelKind::Fans, args, (&level, triangle_limit), started)?;
+    let report = Report::of_view_or_box(ModelKind::Fans, args, &level, triangle_limit, started)?;
     let primitives = primitives_of(args.form, &level.mesh, None)?;
-    write_mesh(&level.mesh, primitives, &view_output_path(args)?, (&args.output.format, output))?;
+    write_mesh(&level.mesh, primitives, &view_output_path(args)?, &args.output.format, output)?;
     let pixels = args.eye.eye.is_some().then_some(level.pixels);
     let report = Report { pages: Some(pages), pixels, ..report };
     output.summary(&report, &report.to_text(pages.step_count))

@@ -42,7 +42,7 @@ use striata_command::save::{LevelFiles, format_of, is_stdout};
 pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     output.check_stdout_is_free(is_stdout(&args.output.output))?;
-    check_outputs(&args.level, &args.levels, (&args.output.output, &args.output.format))?;
+    check_outputs(&args.level, &args.levels, &args.output.output, &args.output.format)?;
     check_form(args)?;
     if is_paged_file(&args.input) {
         return from_paged::run(args, started, output);

@@ -125,7 +125,8 @@ impl Report {
     pub(super) fn of_view_or_box(
         model: ModelKind,
         args: &ExtractArgs,
-        (level, triangle_limit): (&ViewLevel, Option<usize>),
+        level: &ViewLevel,
+        triangle_limit: Option<usize>,
         started: Instant,
     ) -> Result<Self, Failure> {
         let path = view_output_path(args)?;

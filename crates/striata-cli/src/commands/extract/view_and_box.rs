@@ -49,8 +49,8 @@ pub(super) fn run_view(
     let limit = triangle_limit(args, &file);
     let level = level_of_view(&table, &steps, &view, camera, limit);
     let (pixels, primitives) = (level.pixels, primitives_of(args.form, &level.mesh, None)?);
-    let report = Report::of_view_or_box(ModelKind::Fans, args, (&level, limit), started)?;
-    write_mesh(&level.mesh, primitives, &view_output_path(args)?, (&args.output.format, output))?;
+    let report = Report::of_view_or_box(ModelKind::Fans, args, &level, limit, started)?;
+    write_mesh(&level.mesh, primitives, &view_output_path(args)?, &args.output.format, output)?;
     let report = Report { fans: Some(fans), pixels: Some(pixels), ..report };
     output.summary(&report, &report.to_text(steps.levels().step_count()))
 }
@@ -113,12 +113,13 @@ fn report_patterns(
 ) -> Result<(), Failure> {
     let file = input.striata()?;
     let report =
-        Report::of_view_or_box(ModelKind::Patterns, args, (&level, triangle_limit(args, &file)), started)?;
+        Report::of_view_or_box(ModelKind::Patterns, args, &level, triangle_limit(args, &file), started)?;
     write_mesh(
         &level.mesh,
         primitives_of(args.form, &level.mesh, None)?,
         &view_output_path(args)?,
-        (&args.output.format, output),
+        &args.output.format,
+        output,
     )?;
     let is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
     let report = Report {

@@ -42,7 +42,8 @@ struct Report {
 /// If an input cannot be read or something cannot be written; what has been completed stays for the next run.
 pub(crate) fn build(
     inputs: &[PathBuf],
-    (build, path): (&BuildArgs, &Path),
+    build: &BuildArgs,
+    path: &Path,
     output: &Output,
 ) -> Result<(), Failure> {
     let start = Instant::now();
@@ -60,7 +61,7 @@ pub(crate) fn build(
         lock = WorkLock::claim(&folder).map_err(failure)?;
     }
     let mut bar = output.bar();
-    let known = known_plan(&folder, (&input, &options), path)?;
+    let known = known_plan(&folder, &input, &options, path)?;
     let resumed = known.is_some();
     let plan = match known {
         Some(plan) => plan,
@@ -104,7 +105,7 @@ pub(crate) fn build(
         bytes: if is_address(path) { size_at_address(path)? } else { size_of_output(path) },
         triangles,
         base_triangles,
-        shortfall: shortfall_of(build, (triangles, base_triangles)),
+        shortfall: shortfall_of(build, triangles, base_triangles),
         levels: plan.level_count(),
         pages: plan.estimate().page_count,
         seconds,
@@ -161,7 +162,7 @@ pub(super) fn limited(options: BuildOptions, limits: &BaseArgs) -> BuildOptions 
 }
 
 /// Explains why the base mesh has more triangles than requested, if it does.
-fn shortfall_of(build: &BuildArgs, (triangles, base_triangles): (u64, u64)) -> Option<String> {
+fn shortfall_of(build: &BuildArgs, triangles: u64, base_triangles: u64) -> Option<String> {
     let base = build.limits.base?.of_triangles(triangles as usize);
     let reached = ReachedLevel {
         vertex_count: 0,
@@ -179,7 +180,8 @@ fn shortfall_of(build: &BuildArgs, (triangles, base_triangles): (u64, u64)) -> O
 /// The plan of an interrupted build of the same input with the same options.
 fn known_plan(
     folder: &Path,
-    (input, options): (&BuildInput, &BuildOptions),
+    input: &BuildInput,
+    options: &BuildOptions,
     path: &Path,
 ) -> Result<Option<PagedPlan>, Failure> {
     if !folder.join("plan.json").exists() {

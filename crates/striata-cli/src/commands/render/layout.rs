@@ -41,7 +41,8 @@ impl<'a> Layout<'a> {
     pub(super) fn new(
         args: &'a RenderArgs,
         source: &'a Source<'a>,
-        (figures, viewpoint): (&'a [Figure], &'a Viewpoint),
+        figures: &'a [Figure],
+        viewpoint: &'a Viewpoint,
     ) -> Result<Self, Failure> {
         let original = source.mesh();
         let heats = if args.heat {
@@ -53,8 +54,8 @@ impl<'a> Layout<'a> {
         let diagonal = source.diagonal();
         let heat_top = args.heat_max.map_or(largest, |top| top.in_units(diagonal));
         let size = args.size.0.map(|side| side as usize);
-        let make = |grid| {
-            let mut sheet = Sheet::new(size, grid);
+        let make = |[columns, rows]: [usize; 2]| {
+            let mut sheet = Sheet::new(size, columns, rows);
             if args.levels.is_some() {
                 sheet = sheet.with_text(args.colors.len() > 1);
             }
@@ -136,21 +137,21 @@ fn grid(
     args: &RenderArgs,
     count: usize,
     viewpoint: &Viewpoint,
-    make: &impl Fn((usize, usize)) -> Sheet,
-) -> (usize, usize) {
+    make: &impl Fn([usize; 2]) -> Sheet,
+) -> [usize; 2] {
     if args.colors.len() > 1 {
-        return (count, args.colors.len());
+        return [count, args.colors.len()];
     }
     if let Some(rows) = args.rows {
         let rows = usize::from(rows).min(count);
-        return (count.div_ceil(rows), rows);
+        return [count.div_ceil(rows), rows];
     }
     let aspect = viewpoint.aspect().unwrap_or(1.0);
     let shown = |&columns: &usize| {
-        let [width, height] = make((columns, count.div_ceil(columns))).panel_size();
+        let [width, height] = make([columns, count.div_ceil(columns)]).panel_size();
         (width as f32).min(height as f32 * aspect)
     };
     // Of equally good arrangements, `max_by` returns the last one, which has the fewest rows.
     let columns = (1..=count).max_by(|a, b| shown(a).total_cmp(&shown(b))).unwrap_or(1);
-    (columns, count.div_ceil(columns))
+    [columns, count.div_ceil(columns)]
 }

@@ -71,12 +71,12 @@ fn draw(
     }
     bar.phase("draw");
     let viewpoint = Viewpoint::new(args, source)?;
-    let layout = Layout::new(args, source, (&figures, &viewpoint))?;
+    let layout = Layout::new(args, source, &figures, &viewpoint)?;
     let picture = layout.draw(&mut artist, &theme(args.background))?;
     write(&args.output, &picture.canvas, &mut bar)?;
     drop(bar);
     let drawing = Drawing { artist: &artist, frame_secs: picture.frame_secs, started };
-    let report = Report::new(args, (source, &figures), &layout, drawing);
+    let report = Report::new(args, source, &figures, &layout, drawing);
     output.summary(&report, &report.to_text())
 }
 

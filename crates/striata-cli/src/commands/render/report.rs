@@ -68,7 +68,8 @@ pub(super) struct Drawing<'a> {
 impl Report {
     pub(super) fn new(
         args: &RenderArgs,
-        (source, figures): (&Source<'_>, &[Figure]),
+        source: &Source<'_>,
+        figures: &[Figure],
         layout: &Layout<'_>,
         Drawing { artist, frame_secs, started }: Drawing<'_>,
     ) -> Self {

@@ -69,7 +69,7 @@ pub(in crate::commands) fn build(
     let mut bar = output.bar();
     phases.enter("read");
     bar.phase("read");
-    let scene = edited(input.scene(output)?, (&args.edits, false), output)?;
+    let scene = edited(input.scene(output)?, &args.edits, false, output)?;
     let scene = with_textures(scene, args.textures.options().as_ref(), output)?;
     phases.enter("simplify");
     let base = args.limits.base.map(|count| count.of_triangles(scene.triangle_count()));
@@ -77,7 +77,7 @@ pub(in crate::commands) fn build(
         base_triangle_count: base.unwrap_or(0),
         max_error: limit_in_units(args.limits.max_error, scene.diagonal()),
     };
-    let lods = build_scene(input, &scene, (&args.sequence, limits), &mut |progress| bar.show(progress))?;
+    let lods = build_scene(input, &scene, &args.sequence, limits, &mut |progress| bar.show(progress))?;
     let shortfall = base.and_then(|base| shortfall_of(&lods, base, args));
     check_strict(args.limits.strict, None, shortfall.as_deref())?;
     phases.enter("write");

@@ -26,12 +26,13 @@ struct Report {
 pub(in crate::commands) fn convert(
     args: &ConvertArgs,
     input: &Input,
-    (path, format): (&Path, &'static str),
+    path: &Path,
+    format: &'static str,
     output: &Output,
 ) -> Result<(), Failure> {
-    let scene = edited(input.scene(output)?, (&args.edits, false), output)?;
+    let scene = edited(input.scene(output)?, &args.edits, false, output)?;
     let scene = with_textures(scene, args.textures.options().as_ref(), output)?;
-    write_scene(&scene, input.has_scene_levels(), path, (&args.format, output))?;
+    write_scene(&scene, input.has_scene_levels(), path, &args.format, output)?;
     let report = Report {
         vertex_count: scene.meshes().iter().flatten().map(|mesh| mesh.vertex_count()).sum(),
         triangle_count: scene.triangle_count(),

@@ -59,7 +59,8 @@ struct Sizes {
 pub(in crate::commands) fn encode(
     args: &EncodeArgs,
     input: &Input,
-    (path, format): (&Path, Format),
+    path: &Path,
+    format: Format,
     output: &Output,
 ) -> Result<(), Failure> {
     let mut phases = Phases::new(&PHASES);
@@ -67,7 +68,7 @@ pub(in crate::commands) fn encode(
     phases.enter("read");
     bar.phase("read");
     let scene = if args.scene.flat { flat_scene(input, output)? } else { input.scene(output)? };
-    let scene = edited(scene, (&args.edits, true), output)?;
+    let scene = edited(scene, &args.edits, true, output)?;
     let scene = with_textures(scene, args.textures.options().as_ref(), output)?;
     phases.enter("encode");
     let (bytes, sizes) = match format {

@@ -54,7 +54,8 @@ struct ScenePlacement {
 /// # Errors
 /// If any of this fails; nothing is written then.
 pub(in crate::commands) fn simplify(
-    (args, chosen): (&SimplifyArgs, ChosenPlacement),
+    args: &SimplifyArgs,
+    chosen: ChosenPlacement,
     input: &Input,
     started: Instant,
     output: &Output,
@@ -62,9 +63,9 @@ pub(in crate::commands) fn simplify(
     let mut bar = output.bar();
     bar.phase("read");
     let scene = if args.scene.flat { flat_scene(input, output)? } else { input.scene(output)? };
-    let scene = edited(scene, (&args.edits, true), output)?;
+    let scene = edited(scene, &args.edits, true, output)?;
     let limits = Limits { max_error: limit_in_units(args.max_error, scene.diagonal()), ..Limits::default() };
-    let lods = build_scene(input, &scene, (&args.sequence, limits), &mut |progress| bar.show(progress))?;
+    let lods = build_scene(input, &scene, &args.sequence, limits, &mut |progress| bar.show(progress))?;
     let options = args.sequence.scene_options(&scene, false)?.sequence;
     drop(bar);
     let destination = Destination {
@@ -299,7 +300,8 @@ fn chain_format(path: &Path, args: &FormatArgs) -> Result<Format, Failure> {
 pub(in crate::commands) fn check_outputs(
     level: &LevelArgs,
     levels: &LevelsArgs,
-    (output, format): (&Path, &FormatArgs),
+    output: &Path,
+    format: &FormatArgs,
 ) -> Result<(), Failure> {
     if levels.lod_chain && levels.levels.is_none() {
         return Err(Failure::user("--lod-chain was given without --levels")

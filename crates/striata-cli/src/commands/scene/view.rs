@@ -67,7 +67,7 @@ pub(super) fn extract_view(
     let written = WrittenLevel::new(&request, reached, &CoarseningLimit::File);
     written.check_strict(args.strict)?;
     let scene = with_textures(scene, args.textures.options().as_ref(), output)?;
-    write_scene(&scene, true, path, (&args.output.format, output))?;
+    write_scene(&scene, true, path, &args.output.format, output)?;
     let level = MadeLevel { pixels: Some(pixels), ..written.into() };
     let how = HowMade {
         error_is_guaranteed: lods.has_guaranteed_errors(),

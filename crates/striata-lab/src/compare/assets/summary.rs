@@ -31,14 +31,14 @@ const TOOLS: [&str; 2] = ["gltfpack", "meshoptimizer"];
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub(in super::super) struct Summary {
     /// Name of the other tool.
-    pub(super) against: &'static str,
-    pub(super) metric: &'static str,
+    pub against: &'static str,
+    pub metric: &'static str,
     /// Geometric mean of striata's value over the lowest value of the tool's variants.
-    pub(super) ratio: f64,
+    pub ratio: f64,
     /// Number of levels in which striata's value is higher.
-    pub(super) worse_count: usize,
+    pub worse_count: usize,
     /// Number of levels of both that reach their target and have the value.
-    pub(super) level_count: usize,
+    pub level_count: usize,
 }
 
 /// Summarizes all assets; a variant is included in the levels in which it reaches its target.

@@ -11,7 +11,7 @@ use striata_command::stream::effort_name;
 /// Maximum number of decoding runs; the fastest one counts.
 pub(super) const RUNS: usize = 5;
 /// Decoding is not repeated after this many seconds.
-pub(super) const RUN_SECS: f64 = 2.0;
+const RUN_SECS: f64 = 2.0;
 
 /// The result of encoding and decoding a mesh.
 pub(super) struct CodedMesh {

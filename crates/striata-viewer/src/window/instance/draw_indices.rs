@@ -32,7 +32,8 @@ pub(in crate::window) struct DrawIndices<'a> {
 pub(super) fn patterns_into(
     instance: &PatternInstance,
     group_count: usize,
-    (indices, groups): (&mut Vec<u32>, &mut Vec<Range<u32>>),
+    indices: &mut Vec<u32>,
+    groups: &mut Vec<Range<u32>>,
 ) {
     let mut triangles = Vec::with_capacity(instance.triangle_count());
     ranges_of_groups(group_count, groups, |group| {
@@ -47,7 +48,8 @@ pub(super) fn patterns_into(
 pub(super) fn list_into(
     subject: &MeshSubject,
     split_count: usize,
-    (indices, groups): (&mut Vec<u32>, &mut Vec<Range<u32>>),
+    indices: &mut Vec<u32>,
+    groups: &mut Vec<Range<u32>>,
 ) {
     let level = subject.steps.level(split_count);
     indices.clear();
@@ -63,7 +65,8 @@ pub(super) fn list_into(
 pub(super) fn strips_into<M: StripModel>(
     model: &M,
     state: &M::State,
-    (indices, groups): (&mut Vec<u32>, &mut Vec<Range<u32>>),
+    indices: &mut Vec<u32>,
+    groups: &mut Vec<Range<u32>>,
 ) {
     indices.clear();
     ranges_of_groups(model.group_count(), groups, |group| {
@@ -79,11 +82,7 @@ pub(super) fn strips_into<M: StripModel>(
 }
 
 /// Computes the consecutive ranges of the groups; `end` writes a group and returns where it ends.
-pub(super) fn ranges_of_groups(
-    group_count: usize,
-    groups: &mut Vec<Range<u32>>,
-    mut end: impl FnMut(usize) -> usize,
-) {
+fn ranges_of_groups(group_count: usize, groups: &mut Vec<Range<u32>>, mut end: impl FnMut(usize) -> usize) {
     groups.clear();
     let mut first = 0;
     for group in 0..group_count {

@@ -99,7 +99,7 @@ impl ShownFans {
     }
 
     /// Writes the triangles group by group, unless the GPU extracts them.
-    pub(super) fn indices_into(&self, (indices, groups): (&mut Vec<u32>, &mut Vec<Range<u32>>)) {
+    pub(super) fn indices_into(&self, indices: &mut Vec<u32>, groups: &mut Vec<Range<u32>>) {
         let Some(triangles) = &self.triangles else { return };
         indices.clear();
         indices.extend_from_slice(triangles.indices());

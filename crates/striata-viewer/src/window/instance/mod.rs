@@ -110,13 +110,13 @@ impl ModelInstance {
         let started = Instant::now();
         let split_count = split_count_for(subject, request);
         let is_first = std::mem::replace(&mut self.is_first, false);
-        let out = (&mut self.indices, &mut self.groups);
+        let (indices, groups) = (&mut self.indices, &mut self.groups);
         let (is_changed, achieved) = match &mut self.state {
             InstanceState::List(current) => {
                 let is_changed = *current != Some(split_count);
                 if is_changed {
                     *current = Some(split_count);
-                    list_into(subject, split_count, out);
+                    list_into(subject, split_count, indices, groups);
                 }
                 (is_changed, uniform(subject, split_count))
             }
@@ -143,21 +143,21 @@ impl ModelInstance {
                 let before = state.split_count();
                 if let Some(model) = subject.mts().filter(|_| is_first || before != split_count) {
                     model.move_to(state, split_count);
-                    strips_into(model, state, out);
+                    strips_into(model, state, indices, groups);
                 }
                 (before != split_count, uniform(subject, split_count))
             }
             InstanceState::Fans(fans) => {
                 let (is_changed, achieved) = fans.follow(subject, request, split_count);
                 if is_changed || is_first {
-                    fans.indices_into(out);
+                    fans.indices_into(indices, groups);
                 }
                 (is_changed, achieved)
             }
             InstanceState::Patterns(instance) => {
                 let (is_changed, achieved) = follow_patterns(instance, subject, request, split_count);
                 if is_changed || is_first {
-                    patterns_into(instance, subject.steps.mesh().groups.len().max(1), out);
+                    patterns_into(instance, subject.steps.mesh().groups.len().max(1), indices, groups);
                 }
                 (is_changed, achieved)
             }

@@ -24,13 +24,15 @@ impl SceneInspection {
     /// # Errors
     /// If a buffer exceeds the device's limit.
     pub(super) fn new(
-        (gpu, painter): (&Gpu, &Painter),
-        (subject, shown): (&SceneSubject, &ShownScene),
+        gpu: &Gpu,
+        painter: &Painter,
+        subject: &SceneSubject,
+        shown: &ShownScene,
         colors: Colors,
     ) -> Result<(Self, u64), GpuError> {
         let (mesh, colors) = posed(subject, shown, colors);
         let vertices = GpuVertices::upload(gpu, &mesh)?;
-        let inspection = Inspection::new(gpu, painter, &vertices, (&mesh.triangles, &colors))?;
+        let inspection = Inspection::new(gpu, painter, &vertices, &mesh.triangles, &colors)?;
         let placeholder =
             Viewpoint { eye: [0.0, 0.0, 1.0], look_at: [0.0; 3], up: [0.0, 1.0, 0.0], fov: 1.0 };
         let scene = painter.scene(gpu, &vertices, (&placeholder, [1, 1]), &Look::default())?;

@@ -83,7 +83,7 @@ impl SceneResources {
     ) -> Result<u64, GpuError> {
         self.inspection = None;
         if let InspectionMode::By(colors) = inspection_mode {
-            let (inspection, bytes) = SceneInspection::new((gpu, painter), (subject, shown), colors)?;
+            let (inspection, bytes) = SceneInspection::new(gpu, painter, subject, shown, colors)?;
             self.inspection = Some(inspection);
             return Ok(bytes);
         }
@@ -133,9 +133,8 @@ impl SceneResources {
             inspection.aim(gpu, (viewpoint, size), look);
             return Ok(());
         }
-        let lists = (&self.vertices[..], &self.lists[..]);
         let objects: Vec<LitObject<'_>> =
-            self.objects.iter().filter_map(|object| object.lit(lists)).collect();
+            self.objects.iter().filter_map(|object| object.lit(&self.vertices, &self.lists)).collect();
         let scene = LitScene {
             camera: LitCamera::from(viewpoint),
             size,
@@ -158,7 +157,8 @@ impl SceneResources {
 impl PosedObject {
     fn lit<'a>(
         &'a self,
-        (vertices, lists): (&'a [Option<LitVertices>], &'a [Option<IndexList>]),
+        vertices: &'a [Option<LitVertices>],
+        lists: &'a [Option<IndexList>],
     ) -> Option<LitObject<'a>> {
         let vertices = vertices.get(self.mesh)?.as_ref()?;
         let list = lists.get(self.list)?.as_ref()?;

@@ -57,7 +57,7 @@ fn node_rows(scene: &Scene, nodes: &[Value], shown: Vec<Vec<usize>>, first: usiz
         }
         open.push(rows.len());
         let instances = std::mem::take(&mut shown[node]);
-        rows.push(TreeRow { name: node_label(scene, nodes, (node, &instances)), depth, end: 0, instances });
+        rows.push(TreeRow { name: node_label(scene, nodes, node, &instances), depth, end: 0, instances });
         // Each node is listed once, even if several lists of children name it.
         let is_below =
             |&child: &usize| parents.get(child) == Some(&Some(node)) && std::mem::take(&mut is_used[child]);
@@ -87,7 +87,7 @@ fn children(node: &Value) -> impl Iterator<Item = usize> {
     children.filter_map(|child| usize::try_from(child.as_u64()?).ok())
 }
 
-fn node_label(scene: &Scene, nodes: &[Value], (node, instances): (usize, &[usize])) -> String {
+fn node_label(scene: &Scene, nodes: &[Value], node: usize, instances: &[usize]) -> String {
     let name = nodes[node].get("name").and_then(Value::as_str).unwrap_or_default();
     match instances.first() {
         _ if !name.is_empty() => printable(name),

@@ -95,7 +95,7 @@ pub(super) struct Viewer {
 
 impl Viewer {
     /// Creates a viewer that opens the first of the files.
-    pub(super) fn new(files: Vec<PathBuf>, state: ViewerState, (output, waker): (Output, Waker)) -> Self {
+    pub(super) fn new(files: Vec<PathBuf>, state: ViewerState, output: Output, waker: Waker) -> Self {
         let area = PictureArea { rect: Rect::NOTHING, size: [0, 0], pixels_per_point: 1.0, is_dark: true };
         let mut viewer = Self {
             state,
@@ -352,7 +352,7 @@ impl Viewer {
         let bytes_before = renderer.uploaded_bytes();
         match (&self.subject, &mut self.shown) {
             (Some(Subject::Mesh(subject)), Some(Shown::Mesh { instance, .. })) => {
-                renderer.update(subject, instance, (inspection_mode, self.is_new))?;
+                renderer.update(subject, instance, inspection_mode, self.is_new)?;
             }
             (Some(Subject::Scene(subject)), Some(Shown::Scene { scene, .. })) => {
                 let mode_before = self.last_inputs.as_ref().map(|inputs| inputs.inspection_mode);

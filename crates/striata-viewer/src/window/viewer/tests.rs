@@ -30,7 +30,7 @@ impl TestViewer {
         let waker: Waker = Arc::new(move || {
             let _ = sender.lock().expect("no panic before").send(());
         });
-        let viewer = Viewer::new(vec![file.into()], state, (Output::quiet(), waker));
+        let viewer = Viewer::new(vec![file.into()], state, Output::quiet(), waker);
         let ctx = egui::Context::default();
         ctx.options_mut(|options| options.max_passes = std::num::NonZeroUsize::MIN);
         let mut test = Self { viewer, ctx, woken };

@@ -8,7 +8,8 @@ use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
 
-use super::{DocumentChanges, Texcoords, convert};
+use super::changes::{DocumentChanges, Texcoords};
+use super::convert;
 use crate::QuantizeOptions;
 use crate::gltf::accessor::accessor;
 use crate::gltf::component_type::GltfComponentType;

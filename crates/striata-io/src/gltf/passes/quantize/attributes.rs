@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
 
+use super::changes::{DocumentChanges, Texcoords};
+use super::convert;
 use super::grid::{Grids, MeshGrid};
-use super::{DocumentChanges, Texcoords, convert};
 use crate::QuantizeOptions;
 use crate::gltf::accessor::{Accessor, accessor};
 use crate::gltf::component_type::GltfComponentType;

@@ -1,6 +1,6 @@
 //! Conversion of floats to small integers.
 
-use super::Texcoords;
+use super::changes::Texcoords;
 use super::grid::MeshGrid;
 use crate::gltf::component_type::GltfComponentType;
 use crate::gltf::passes::elements::Elements;

@@ -16,6 +16,7 @@
 
 mod animations;
 mod attributes;
+mod changes;
 mod convert;
 mod grid;
 mod placement;
@@ -25,9 +26,9 @@ mod transforms;
 
 use std::collections::BTreeSet;
 
-use serde_json::Value;
-
 use self::attributes::AttributeQuantizer;
+use self::changes::DocumentChanges;
+pub(in crate::gltf) use self::changes::Texcoords;
 use super::additions::{Additions, plain_view};
 use super::compact::compact;
 use super::extensions;
@@ -36,26 +37,6 @@ use super::primitives::primitives;
 use crate::QuantizeOptions;
 
 const EXTENSION: &str = "KHR_mesh_quantization";
-
-/// Type of texture coordinates from 0 to 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::gltf) enum Texcoords {
-    /// Normalized 16-bit integers, the smallest without compression.
-    Integers,
-    /// Floats that `meshopt` compresses as integers.
-    Floats,
-}
-
-/// Changes that a pass has made so far.
-struct DocumentChanges<'a> {
-    /// The document to change; `snapshot` is what it was before.
-    root: &'a mut Value,
-    additions: Additions,
-    /// Accessors that others have replaced.
-    replaced: BTreeSet<u64>,
-    /// Whether anything needs the extension.
-    needs_extension: bool,
-}
 
 /// Quantizes the meshes of a document.
 pub(in crate::gltf) fn quantize(parts: &mut GltfParts, options: &QuantizeOptions, texcoords: Texcoords) {

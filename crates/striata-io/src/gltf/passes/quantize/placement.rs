@@ -13,8 +13,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use glam::{DQuat, DVec3};
 use serde_json::{Value, json};
 
+use super::changes::DocumentChanges;
 use super::grid::{Grids, MeshGrid};
-use super::{DocumentChanges, skins, transforms};
+use super::{skins, transforms};
 use crate::gltf::accessor::accessor;
 use crate::gltf::document::GltfDocument;
 use crate::gltf::extensions::are_all_known;

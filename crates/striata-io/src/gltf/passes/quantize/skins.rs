@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use glam::DMat4;
 use serde_json::{Value, json};
 
-use super::DocumentChanges;
+use super::changes::DocumentChanges;
 use super::grid::{Grids, MeshGrid};
 use crate::gltf::accessor::accessor;
 use crate::gltf::component_type::GltfComponentType;
