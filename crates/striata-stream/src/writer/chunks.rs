@@ -129,9 +129,10 @@ fn push(
     chunks.push(Chunk { bytes, split_count: split_count as u32 });
 }
 
-/// Number of steps at the end of the chunk after `done` steps. Early chunks are small, so that the picture improves often.
-pub(crate) fn chunk_end(done: usize, step_count: usize) -> usize {
-    (done + (done / 2).clamp(FIRST_SPLITS, CHUNK_SPLITS)).min(step_count)
+/// Number of steps at the end of the chunk after `done` steps, of which the first chunk has `first`. Early chunks are
+/// small, so that the picture improves often.
+pub(crate) fn chunk_end(done: usize, step_count: usize, first: usize) -> usize {
+    (done + (done / 2).clamp(first, CHUNK_SPLITS)).min(step_count)
 }
 
 /// Encodes the splits of one chunk.
@@ -142,7 +143,7 @@ fn code_chunk(
     step_count: usize,
 ) -> Result<(), BatchDefect> {
     let done = reference.order.len();
-    let end = chunk_end(done, step_count);
+    let end = chunk_end(done, step_count, FIRST_SPLITS);
     while reference.order.len() < end {
         let result = refiner.stretch(writer, reference, end - reference.order.len());
         let is_dependent = !refiner.is_in_batch() && !reference.is_batch_done();

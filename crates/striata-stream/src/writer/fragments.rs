@@ -20,6 +20,10 @@ use crate::writer::encode::{
     EncodedStream, SplitChunks, StreamLayout, StreamOptions, StreamPlan, StreamSizes, Totals, encode_splits,
 };
 
+/// Number of steps in the first chunk. A chunk has one error, which falls by orders of magnitude within the first
+/// hundreds of steps.
+const FIRST_STEPS: usize = 8;
+
 /// Encodes a mesh with the fragments of any simplifier as a progressive stream.
 ///
 /// Steps may remove positions and fill the hole in any way, or collapse edges to new vertices; they are coded in their
@@ -86,7 +90,7 @@ pub fn encode_fragments_with_progress(
     let mut done = 0;
     while done < step_count {
         Progress { phase: "encode", done: done as u64, total: step_count as u64 }.report(progress)?;
-        let end = chunk_end(done, step_count);
+        let end = chunk_end(done, step_count, FIRST_STEPS);
         let (bytes, bits) = writer.chunk(done as u32..end as u32)?;
         spent.iter_mut().zip(bits).for_each(|(sum, bits)| *sum += bits);
         bodies.push(bytes);

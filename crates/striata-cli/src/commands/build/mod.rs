@@ -71,16 +71,15 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
         max_error: limit_in_units(args.limits.max_error, diagonal),
     };
     let mut sequence = args.sequence.plan_for(&mesh, limits)?;
-    if let Some(remark) =
-        adapt_retriangulation(&mut sequence, &models, args.sequence.wants_free_retriangulation())?
-    {
-        output.say(&remark);
-    }
+    let remark = adapt_retriangulation(&mut sequence, &models, args.sequence.wants_free_retriangulation())?;
     if models.contains(&ModelKind::Fans) {
         sequence.guarantee_any_state();
     }
     if models.contains(&ModelKind::Progressive) {
         sequence.use_batches(args.stream_encoding.batches(&mesh)?)?;
+    }
+    if let Some(remark) = remark {
+        output.say(&remark);
     }
     let stream = args.stream_encoding.options(diagonal);
     let read_strips = |path: &PathBuf| StripsFrom::read(path, &input, &mesh, args.strips.is_none(), output);
