@@ -10,14 +10,14 @@ use striata_fuzz::{Bytes, allow_contained_panics};
 use striata_io::{Format, Source, WriteOptions, read_scene_bytes, scene_to_bytes};
 use striata_scene::{GlbStreamOptions, LodScene, read_glb_with_stream};
 use striata_testing::scenes;
-use striata_testing::strange::GltfParts;
+use striata_testing::strange::StrangeParts;
 
 /// Files whose values and bytes are changed.
-static FILES: LazyLock<Vec<GltfParts>> = LazyLock::new(|| {
-    let file = |scene: &scenes::TestScene| -> Option<GltfParts> {
+static FILES: LazyLock<Vec<StrangeParts>> = LazyLock::new(|| {
+    let file = |scene: &scenes::TestScene| -> Option<StrangeParts> {
         let scene = read_scene_bytes(&scene.to_glb(), &Source::new("scene.glb")).ok()?;
         let lods = LodScene::build(&scene, &LodOptions::default()).ok()?;
-        Some(GltfParts::of_glb(&lods.to_glb_with_stream(&GlbStreamOptions::default()).ok()?))
+        Some(StrangeParts::of_glb(&lods.to_glb_with_stream(&GlbStreamOptions::default()).ok()?))
     };
     scenes::all().iter().filter_map(file).collect()
 });

@@ -5,7 +5,7 @@ use libfuzzer_sys::fuzz_target;
 use serde_json::json;
 use striata_fuzz::allow_contained_panics;
 use striata_io::{Source, read_bytes, read_scene_bytes};
-use striata_testing::strange::GltfParts;
+use striata_testing::strange::StrangeParts;
 
 fuzz_target!(|data: &[u8]| {
     allow_contained_panics();
@@ -30,7 +30,7 @@ fuzz_target!(|data: &[u8]| {
         ],
         "meshes": [{ "primitives": [primitive] }],
     });
-    let mut parts = GltfParts { document, buffer: data.to_vec() };
+    let mut parts = StrangeParts { document, buffer: data.to_vec() };
     check(&parts.to_glb());
     parts.document["meshes"][0]["primitives"][0] = bare;
     check(&parts.to_glb());

@@ -5,7 +5,7 @@ use libfuzzer_sys::fuzz_target;
 use serde_json::{Value, json};
 use striata_fuzz::{Bytes, allow_contained_panics};
 use striata_io::{Source, read_bytes, read_scene_bytes};
-use striata_testing::strange::GltfParts;
+use striata_testing::strange::StrangeParts;
 
 const MODES: [&str; 3] = ["ATTRIBUTES", "TRIANGLES", "INDICES"];
 const FILTERS: [&str; 5] = ["NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"];
@@ -79,5 +79,5 @@ fn file(extension: &str, coded: &MeshoptView<'_>, packed: &[u8]) -> Vec<u8> {
         "accessors": accessors,
         "meshes": [{ "primitives": [primitive] }],
     });
-    GltfParts { document, buffer: [packed, &plain].concat() }.to_glb()
+    StrangeParts { document, buffer: [packed, &plain].concat() }.to_glb()
 }

@@ -11,11 +11,11 @@ use striata_io::{Format, Scene, Source, WriteOptions, read_scene_bytes, scene_to
 use striata_scene::stream::{SceneStreamDecoder, SceneStreamOptions, encode_scene};
 use striata_scene::{LodScene, Poser};
 use striata_testing::scenes;
-use striata_testing::strange::{GltfParts, glb_of_chunks};
+use striata_testing::strange::{StrangeParts, glb_of_chunks};
 
 /// Scenes whose values are changed.
-static SCENES: LazyLock<Vec<GltfParts>> = LazyLock::new(|| {
-    let parts = |scene: &scenes::TestScene| GltfParts::of_glb(&scene.to_glb());
+static SCENES: LazyLock<Vec<StrangeParts>> = LazyLock::new(|| {
+    let parts = |scene: &scenes::TestScene| StrangeParts::of_glb(&scene.to_glb());
     scenes::all().iter().map(parts).collect()
 });
 

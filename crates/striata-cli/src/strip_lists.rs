@@ -7,8 +7,7 @@
 use std::path::Path;
 
 use striata::mesh::{IndexedMesh, MeshError};
-use striata::model::StripModel;
-use striata::strip::{RESTART, StripSet, stripify};
+use striata::strip::{StripSet, stripify};
 use striata_command::args::FormatArgs;
 use striata_command::failure::Failure;
 use striata_command::output::Output;
@@ -62,55 +61,6 @@ pub(crate) fn stitched(strips: &StripSet) -> Vec<Vec<u32>> {
     joined.group_ranges.iter().map(of_group).collect()
 }
 
-/// Returns the strips of a level, group by group, without those that have no triangle left.
-pub(crate) fn strips_of_level<M: StripModel>(model: &M, state: &M::State) -> StripSet {
-    let mut strips = StripSet::new();
-    for group in 0..model.group_count() {
-        for strip in model.group_strips(group) {
-            let pieces = model.strip(state, strip).split(|&index| index == RESTART);
-            pieces.filter(|piece| piece.len() >= 3).for_each(|piece| strips.push(piece));
-        }
-        strips.end_group();
-    }
-    strips
-}
-
-/// A level without the vertices that none of its triangles use, and its strips over what is left; no strips
-/// if they use others.
-pub(crate) fn without_unused_vertices(
-    mesh: IndexedMesh,
-    strips: Option<StripSet>,
-) -> (IndexedMesh, Option<StripSet>) {
-    let mut is_used = vec![false; mesh.vertex_count()];
-    mesh.triangles.iter().flatten().for_each(|&v| is_used[v as usize] = true);
-    if is_used.iter().all(|&is_used| is_used) {
-        return (mesh, strips);
-    }
-    // The remaining vertices keep their order.
-    let new_index: Vec<Option<u32>> = is_used
-        .into_iter()
-        .scan(0, |next, is_used| {
-            let index = is_used.then_some(*next);
-            *next += u32::from(is_used);
-            Some(index)
-        })
-        .collect();
-    let strips = strips.and_then(|strips| renumbered(&strips, &new_index));
-    (mesh.without_unused_vertices(), strips)
-}
-
-fn renumbered(strips: &StripSet, new_index: &[Option<u32>]) -> Option<StripSet> {
-    let mut out = StripSet::new();
-    for group in 0..strips.group_count() {
-        for strip in strips.group_strips(group) {
-            let strip = strips.strip(strip).iter().map(|&v| new_index[v as usize]);
-            out.push(&strip.collect::<Option<Vec<u32>>>()?);
-        }
-        out.end_group();
-    }
-    Some(out)
-}
-
 /// Checks that the output can be written.
 ///
 /// # Errors
@@ -141,7 +91,7 @@ pub(crate) fn check_form_fits(what: &str, path: &Path, format: Format, instead: 
 
 #[cfg(test)]
 mod tests {
-    use striata::mesh::{TriangleGroup, canonical_triangles, shapes};
+    use striata::mesh::{TriangleGroup, shapes};
 
     use super::*;
 
@@ -175,23 +125,5 @@ mod tests {
         let found = StripLists::of_level(&mesh, Some(&single_triangles)).expect("the mesh is consistent");
         assert!(found.index_count < 2 * mesh.triangle_count(), "{}", found.index_count);
         assert_eq!(found, StripLists::of_level(&mesh, None).expect("the mesh is consistent"));
-    }
-
-    #[test]
-    fn strips_are_renumbered_when_unused_vertices_are_removed() {
-        let mut mesh = shapes::grid(2, 1);
-        mesh.positions.insert(0, [7.0; 3]);
-        mesh.triangles.iter_mut().flatten().for_each(|v| *v += 1);
-        let strips = stripify(&mesh).expect("the mesh is consistent");
-        let (less, renumbered) = without_unused_vertices(mesh.clone(), Some(strips));
-        assert_eq!(less.vertex_count() + 1, mesh.vertex_count());
-        let mut triangles = Vec::new();
-        renumbered.expect("all of its vertices are used").triangles_into(&mut triangles);
-        assert_eq!(canonical_triangles(&triangles), canonical_triangles(&less.triangles));
-        // A strip that passes through an unused vertex cannot be kept.
-        let mut others = StripSet::new();
-        others.push(&[1, 0, 0, 2]);
-        others.end_group();
-        assert_eq!(without_unused_vertices(mesh, Some(others)).1, None);
     }
 }

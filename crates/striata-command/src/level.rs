@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
-use striata::mesh::{IndexedMesh, Levels, MeshError, weld};
+use striata::mesh::{IndexedMesh, LevelTable, MeshError, weld};
 use striata::simplify::{StopReason, Target};
 
 use crate::args::{Count, Level, LevelArgs, LevelsArgs};
@@ -40,7 +40,7 @@ impl FullMesh {
     }
 
     /// Returns the sizes of the finest level, with a diagonal that the caller knows.
-    pub fn of_levels(levels: &Levels, diagonal: f64) -> Self {
+    pub fn of_levels(levels: &LevelTable, diagonal: f64) -> Self {
         let last = levels.step_count();
         let (vertex_count, triangle_count) = (levels.vertex_count_at(last), levels.triangle_count_at(last));
         Self { diagonal, vertex_count, triangle_count }
@@ -219,6 +219,9 @@ pub struct ReachedLevel {
 /// Explains how a level misses its target; `None` if it meets it.
 pub fn shortfall(target: Target, reached: ReachedLevel, limit: &CoarseningLimit) -> Option<String> {
     let ReachedLevel { vertex_count, triangle_count, stop_reason } = reached;
+    if stop_reason == StopReason::InputEnded {
+        return Some("the input ends before this level".to_owned());
+    }
     let (requested, found) = match target {
         Target::Triangles(n) if triangle_count > n => (
             format!("at most {}", format_noun_count(n, "triangle", "triangles")),
@@ -303,10 +306,14 @@ impl WrittenLevel {
         }
     }
 
-    /// Sets the error, in single precision, with the digits that it needs there.
+    /// Gives an error that is a number in single precision the digits that it needs there.
     #[must_use]
-    pub fn with_error(self, error: f32) -> Self {
-        Self { error: error.to_string().parse().ok(), ..self }
+    pub fn with_short_error(self) -> Self {
+        let shortened = |error: f64| {
+            let single = error as f32;
+            if f64::from(single) == error { single.to_string().parse().unwrap_or(error) } else { error }
+        };
+        Self { error: self.error.map(shortened), ..self }
     }
 
     /// Turns a missed target into a failure if `--strict` was given.
@@ -325,43 +332,6 @@ impl WrittenLevel {
     /// A line about a missed target, after the line break that ends what is before it; empty if it is met.
     pub fn note(&self) -> String {
         self.shortfall.as_deref().map_or_else(String::new, |text| format!("\n{}", shortfall_note(None, text)))
-    }
-}
-
-/// The report of a verb that writes levels: the only one, or several in a list, with what they have in common.
-#[derive(Clone, Debug, Serialize)]
-#[serde(untagged)]
-pub enum LevelsReport<L, C> {
-    /// The members of the level are those of the report.
-    One {
-        /// The level.
-        #[serde(flatten)]
-        level: L,
-        /// Members besides those of the level.
-        #[serde(flatten)]
-        common: C,
-    },
-    /// The user asked for a list of levels.
-    Several {
-        /// The levels in the order of the user.
-        levels: Vec<L>,
-        /// Members besides the list.
-        #[serde(flatten)]
-        common: C,
-    },
-}
-
-impl<L, C> LevelsReport<L, C> {
-    /// Creates the report on levels, which are a list if the user asked for one.
-    ///
-    /// # Errors
-    /// If there is no level.
-    pub fn new(mut levels: Vec<L>, is_list: bool, common: C) -> Result<Self, Failure> {
-        if is_list {
-            return Ok(Self::Several { levels, common });
-        }
-        let level = levels.pop().ok_or_else(|| Failure::internal("no level was given"))?;
-        Ok(Self::One { level, common })
     }
 }
 

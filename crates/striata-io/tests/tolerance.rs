@@ -513,8 +513,8 @@ fn texts<'a>(warnings: impl IntoIterator<Item = &'a striata_io::Warning>, file: 
     warnings.into_iter().map(|warning| warning.to_string().replace(&prefix, "")).collect()
 }
 
-fn check_numbers(name: &str, mesh: &IndexedMesh, expected: (usize, usize)) {
-    assert_eq!((mesh.triangle_count(), mesh.vertex_count()), expected, "{name}");
+fn check_numbers(name: &str, mesh: &IndexedMesh, expected: [usize; 2]) {
+    assert_eq!([mesh.triangle_count(), mesh.vertex_count()], expected, "{name}");
     mesh.check().unwrap_or_else(|error| panic!("{name}: {error}"));
 }
 
@@ -525,7 +525,7 @@ fn files_in_memory_follow_the_rule() {
         match (found, outcome) {
             (Ok(report), Read(triangles, vertices, warnings)) => {
                 assert_eq!(texts(&report.warnings, name), warnings, "{name}");
-                check_numbers(name, &report.mesh, (triangles, vertices));
+                check_numbers(name, &report.mesh, [triangles, vertices]);
             }
             (Err(error), Refused(part)) => {
                 let message = error.to_string();

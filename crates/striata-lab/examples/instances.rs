@@ -122,7 +122,7 @@ impl View {
 }
 
 /// An instance that follows the camera.
-trait Follower {
+trait ModelFollower {
     fn update(&mut self, scene: &FanScene<'_>, criterion: &ScreenError);
 
     /// Returns to the base immediately.
@@ -145,7 +145,7 @@ impl Bits {
     }
 }
 
-impl Follower for Bits {
+impl ModelFollower for Bits {
     fn update(&mut self, scene: &FanScene<'_>, criterion: &ScreenError) {
         self.is_base = self.instance.refine(scene, criterion) == 0;
     }
@@ -171,7 +171,7 @@ struct FrontWhileVisible<'a> {
     front: Option<FanFront<ScreenError>>,
 }
 
-impl Follower for FrontWhileVisible<'_> {
+impl ModelFollower for FrontWhileVisible<'_> {
     fn update(&mut self, scene: &FanScene<'_>, criterion: &ScreenError) {
         self.front.get_or_insert_with(|| FanFront::new(scene)).update(scene, criterion, usize::MAX);
     }
@@ -199,7 +199,7 @@ struct Totals {
     visible_count: usize,
 }
 
-fn run<F: Follower>(
+fn run<F: ModelFollower>(
     scene: &FanScene<'_>,
     placements: &[Placement],
     mut followers: Vec<F>,
@@ -280,9 +280,9 @@ fn print_static(refinable: &RefinableMesh, fans: &Fans) {
     );
 }
 
-fn print_memory<F: Follower>(scene: &FanScene<'_>, followers: &[F]) {
-    let bytes: usize = followers.iter().map(Follower::bytes).sum();
-    let largest = followers.iter().map(Follower::bytes).max().unwrap_or(0);
+fn print_memory<F: ModelFollower>(scene: &FanScene<'_>, followers: &[F]) {
+    let bytes: usize = followers.iter().map(ModelFollower::bytes).sum();
+    let largest = followers.iter().map(ModelFollower::bytes).max().unwrap_or(0);
     let active = |follower: &F| scene.fans().vertex_count() - follower.instance().collapse_count();
     let active_count: usize = followers.iter().map(active).sum();
     println!(

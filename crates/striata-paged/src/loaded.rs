@@ -124,14 +124,6 @@ impl<'a> LoadedPages<'a> {
     }
 }
 
-/// Position that a vertex of a page belongs to, of its owned ones.
-pub(crate) fn position_of(page: &Page, vertex: u32) -> u32 {
-    if page.first.len() == page.positions.len() + 1 {
-        return vertex;
-    }
-    page.first.partition_point(|&first| first <= vertex) as u32 - 1
-}
-
 /// The import that each owned vertex becomes when all steps of its page are undone, numbered as in the page. Of the
 /// base page, which has no steps, every vertex stays.
 pub(crate) fn coarse_vertices(page: &Page) -> Vec<u32> {

@@ -61,6 +61,15 @@ pub struct PagedGroup {
     pub material: Option<u32>,
 }
 
+/// Name of a page: the level and the cell whose steps it contains.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub struct PageId {
+    /// Level of the cell, 0 for the finest. The base page has the number of levels.
+    pub level: u8,
+    /// Index of the cell in its level.
+    pub cell: u32,
+}
+
 /// Counts, bounds, layers, groups and materials of the whole mesh of a paged file, stored as JSON.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]

@@ -1,20 +1,9 @@
 //! One page: the steps of one cell, with the vertices that they restore.
 
-use serde::{Deserialize, Serialize};
 use striata::mesh::AttributeLayer;
 
-use crate::Metadata;
 use crate::error::{PageDefect, PagedError};
-use crate::loaded::position_of;
-
-/// Name of a page: the level and the cell whose steps it contains.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-pub struct PageId {
-    /// Level of the cell, 0 for the finest. The base page has the number of levels.
-    pub level: u8,
-    /// Index of the cell in its level.
-    pub cell: u32,
-}
+use crate::{Metadata, PageId};
 
 /// A vertex of another page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -58,6 +47,14 @@ pub struct Page {
 }
 
 impl Page {
+    /// Position that an owned vertex belongs to.
+    pub(crate) fn position_of(&self, vertex: u32) -> u32 {
+        if self.first.len() == self.positions.len() + 1 {
+            return vertex;
+        }
+        self.first.partition_point(|&first| first <= vertex) as u32 - 1
+    }
+
     /// Group of a triangle.
     pub(crate) fn group_of(&self, triangle: usize) -> u32 {
         self.groups.get(triangle).copied().unwrap_or(0)
@@ -129,7 +126,7 @@ impl Page {
             let mut common = None;
             for v in self.first[p] as usize..self.first[p + 1] as usize {
                 let target = self.targets[v];
-                let at = (target < owned).then(|| position_of(self, target) as usize);
+                let at = (target < owned).then(|| self.position_of(target) as usize);
                 let reason = if target >= all {
                     "does not exist"
                 } else if at.is_some_and(|q| self.keys[q].total_cmp(&self.keys[p]).is_le()) {

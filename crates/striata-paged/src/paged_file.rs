@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use striata::simplify::Target;
 
+use crate::levels::LevelState;
 use crate::{
     Assembled, CutPages, Metadata, Page, PageBound, PagedError, PagedReader, Store, Want, assemble,
     open_store,
@@ -39,6 +40,7 @@ pub struct PagedFile {
     store: Box<dyn Store>,
     reader: PagedReader,
     statistics: ReadStatistics,
+    pub(crate) levels: LevelState,
 }
 
 impl PagedFile {
@@ -55,7 +57,8 @@ impl PagedFile {
     /// # Errors
     /// [`PagedError`] if the head cannot be read.
     pub fn with_store(store: Box<dyn Store>) -> Result<Self, PagedError> {
-        let mut file = Self { store, reader: PagedReader::new(), statistics: ReadStatistics::default() };
+        let (reader, statistics) = (PagedReader::new(), ReadStatistics::default());
+        let mut file = Self { store, reader, statistics, levels: LevelState::default() };
         while file.reader.metadata().is_none() {
             file.fetch()?;
         }

@@ -1,6 +1,6 @@
 //! Levels of paged files whose detail varies: for a camera, a box, or any other criterion.
 
-use striata::view::{Criterion, Part, ScreenError, Sphere};
+use striata::view::{Criterion, DetailBox, Part, ScreenError, Sphere};
 
 use crate::{PageBound, PagedCut, PagedError, PagedFile, PagedReader};
 
@@ -67,15 +67,41 @@ impl PagedFile {
             let cut = self.level_for(criterion)?;
             return Ok(ViewCut { cut, relaxation: 1.0, is_within_limit: true });
         };
+        self.level_within(limit, |file, factor| file.level_for(&criterion.clone().relaxed(factor)))
+    }
+
+    /// The level with full detail in a box, and outside of it as many triangles as a limit allows.
+    ///
+    /// # Errors
+    /// See [`Self::level_for`].
+    pub fn level_for_box(
+        &mut self,
+        detail: &DetailBox,
+        triangle_limit: usize,
+    ) -> Result<ViewCut, PagedError> {
+        // So the largest factor allows errors of ten diagonals.
+        let least = (self.metadata().diagonal() * 10.0 / f64::from(MAX_RELAXATION)) as f32;
+        let cut = |file: &mut Self, factor: f32| {
+            file.level_for(&DetailBox { error_outside: least * factor, ..*detail })
+        };
+        self.level_within(triangle_limit, cut)
+    }
+
+    /// The level with the smallest factor of its tolerances, at least 1, that respects a triangle limit.
+    fn level_within(
+        &mut self,
+        limit: usize,
+        level_at: impl Fn(&mut Self, f32) -> Result<PagedCut, PagedError>,
+    ) -> Result<ViewCut, PagedError> {
         // From coarse to fine, so that no page is read that is much too fine for the limit.
         let (mut low, mut high) = (None, MAX_RELAXATION);
-        let mut best = self.level_for(&criterion.clone().relaxed(high))?;
+        let mut best = level_at(self, high)?;
         if best.mesh.triangle_count() > limit {
             return Ok(ViewCut { cut: best, relaxation: high, is_within_limit: false });
         }
         while high > 1.0 {
             let next = (high / COARSE_STEP).max(1.0);
-            let cut = self.level_for(&criterion.clone().relaxed(next))?;
+            let cut = level_at(self, next)?;
             if cut.mesh.triangle_count() > limit {
                 low = Some(TriedTolerance { relaxation: next, triangle_count: cut.mesh.triangle_count() });
                 break;
@@ -91,7 +117,7 @@ impl PagedFile {
                 break;
             }
             let middle = between(low, TriedTolerance { relaxation: high, triangle_count: count }, limit);
-            let cut = self.level_for(&criterion.clone().relaxed(middle))?;
+            let cut = level_at(self, middle)?;
             match cut.mesh.triangle_count() {
                 found if found > limit => {
                     low = TriedTolerance { relaxation: middle, triangle_count: found };

@@ -11,7 +11,7 @@ use striata_scene::stream::{SceneStreamDecoder, SceneStreamOptions, encode_scene
 use striata_scene::textures::{TextureOptions, TextureRole, image_info, preview, recode, recode_scene};
 use striata_scene::{LodScene, MeshWeight, Poser, read_glb_with_stream};
 use striata_testing::scenes::{self, TestScene};
-use striata_testing::strange::GltfParts;
+use striata_testing::strange::StrangeParts;
 
 fn read(scene: &TestScene) -> Result<Scene, String> {
     read_scene_bytes(&scene.to_glb(), &Source::new("scene.glb")).map_err(|error| error.to_string())
@@ -288,7 +288,7 @@ proptest! {
         changes in prop::collection::vec(any::<u8>(), 0..40),
         checks in any::<u8>(),
     ) {
-        let mut parts = GltfParts::of_glb(&scenes::all()[sample].to_glb());
+        let mut parts = StrangeParts::of_glb(&scenes::all()[sample].to_glb());
         parts.change(&changes);
         let Ok(scene) = read_scene_bytes(&parts.to_glb(), &Source::new("x.glb")) else { return Ok(()) };
         settles(&scene);

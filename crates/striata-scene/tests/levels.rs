@@ -2,14 +2,14 @@
 
 use proptest::prelude::*;
 use striata::Target;
-use striata::mesh::{Levels, PositionIndex};
+use striata::mesh::{LevelTable, PositionIndex};
 use striata::simplify::StopReason;
 use striata_scene::{MeshWeight, SceneLevels};
 
 /// A mesh with its weight; steps are listed from coarse to fine.
 #[derive(Clone, Debug)]
 struct Sample {
-    levels: Levels,
+    levels: LevelTable,
     weight: MeshWeight,
 }
 
@@ -37,7 +37,7 @@ fn sample(base: u32, steps: &[Step], last_wedges: bool, weight: MeshWeight) -> S
     if last_wedges {
         *first.last_mut().unwrap() += 2;
     }
-    let levels = Levels::new(PositionIndex::from_first(first), 3, counts, errors).unwrap();
+    let levels = LevelTable::new(PositionIndex::from_first(first), 3, counts, errors).unwrap();
     Sample { levels, weight }
 }
 
@@ -55,7 +55,7 @@ fn samples() -> impl Strategy<Value = Vec<Option<Sample>>> {
 }
 
 fn merged(samples: &[Option<Sample>]) -> SceneLevels {
-    let levels: Vec<Option<&Levels>> = samples.iter().map(|s| Some(&s.as_ref()?.levels)).collect();
+    let levels: Vec<Option<&LevelTable>> = samples.iter().map(|s| Some(&s.as_ref()?.levels)).collect();
     let weights: Vec<MeshWeight> =
         samples.iter().map(|s| s.as_ref().map_or(MeshWeight::default(), |s| s.weight)).collect();
     SceneLevels::new(&levels, &weights)
@@ -181,7 +181,7 @@ fn targets_out_of_range_are_reported() {
 fn counts_that_rise_while_a_mesh_gets_coarser_are_searched_exactly() {
     // The floor of a removal may be larger than its ceiling.
     let counts = vec![4, 9, 3, 10];
-    let levels = Levels::new(PositionIndex::identity(6), 3, counts, vec![3.0, 2.0, 1.0]).unwrap();
+    let levels = LevelTable::new(PositionIndex::identity(6), 3, counts, vec![3.0, 2.0, 1.0]).unwrap();
     let scene = SceneLevels::new(&[Some(&levels)], &[]);
     assert_eq!(scene.resolve(Target::Triangles(9)).split_counts, [2]);
     assert_eq!(scene.resolve(Target::Triangles(3)).split_counts, [2]);

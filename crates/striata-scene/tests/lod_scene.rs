@@ -5,8 +5,10 @@ mod vertices;
 use std::ops::ControlFlow;
 
 use serde_json::json;
+use striata::levels::Levels as _;
 use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, shapes};
 use striata::simplify::{SequenceOptions, StopReason};
+use striata::view::{Camera, ScreenError};
 use striata::{LodOptions, Target};
 use striata_io::{Format, Scene, Source, read_scene_bytes, scene_to_bytes};
 use striata_scene::{LodScene, MeshWeight, SceneMismatch};
@@ -270,5 +272,30 @@ fn indices_of_levels_refer_to_one_vertex_buffer() {
                 }
             }
         }
+    }
+}
+
+#[test]
+fn a_scene_is_a_source_of_levels() {
+    for sample in scenes::all() {
+        let mut lods = build(&sample);
+        let facts = lods.facts();
+        for target in [Target::Detail(0.0), Target::Detail(0.6), Target::Triangles(facts.triangle_count / 3)]
+        {
+            let Ok(found) = lods.find(target);
+            let level = lods.level(target);
+            assert_eq!(found.shape.meshes(), lods.level_scene(&level).meshes(), "{}", sample.name);
+            assert_eq!((found.triangle_count, found.error), (level.triangle_count, Some(level.error)));
+            assert_eq!(found.shape.triangle_count(), found.triangle_count, "{}", sample.name);
+        }
+        let Ok(Some(bounds)) = lods.bounds() else { continue };
+        let center = [0, 1, 2].map(|axis| f32::midpoint(bounds.min[axis], bounds.max[axis]));
+        let eye = [center[0], center[1], center[2] + 2.0 * (bounds.diagonal() as f32).max(1e-3)];
+        let camera = Camera::new(eye, center, [0.0, 1.0, 0.0], 0.5, [800, 600]).unwrap();
+        let criterion = ScreenError::new(camera, 0.1);
+        let Ok(fine) = lods.find_for_view(&criterion, None);
+        let Ok(within) = lods.find_for_view(&criterion, Some(fine.triangle_count / 2));
+        let is_within = within.triangle_count <= fine.triangle_count / 2;
+        assert!(is_within || within.stop_reason == StopReason::BaseReached, "{}", sample.name);
     }
 }

@@ -96,6 +96,7 @@ pub use format::info::{ChunkInfo, StreamInfo};
 pub use growing::{CutUpdate, GrowingHierarchy, HierarchyCut};
 pub use layers::options::{LayerBitsError, LayerOptions};
 pub use reader::decode::{StreamDecoder, StreamUpdate};
+pub use reader::levels::StreamLevels;
 pub use reader::prefix::PrefixMesh;
 pub use striata::file::STREAM_MAGIC;
 pub use topology::surface::SurfaceDefect;

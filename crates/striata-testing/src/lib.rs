@@ -3,6 +3,7 @@
 #![expect(missing_docs, reason = "only used by tests, and the names describe the meshes")]
 
 pub mod gltf_check;
+pub mod levels;
 pub mod meshes;
 pub mod scenes;
 #[cfg(all(unix, feature = "server"))]

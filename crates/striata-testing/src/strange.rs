@@ -21,7 +21,7 @@ impl Choices<'_> {
 
 /// A glTF document and its only buffer.
 #[derive(Clone, Debug)]
-pub struct GltfParts {
+pub struct StrangeParts {
     pub document: Value,
     pub buffer: Vec<u8>,
 }
@@ -29,7 +29,7 @@ pub struct GltfParts {
 /// Largest number of changes of one input.
 const MAX_CHANGES: usize = 64;
 
-impl GltfParts {
+impl StrangeParts {
     /// Splits a GLB file, which must be valid, into its parts.
     pub fn of_glb(glb: &[u8]) -> Self {
         let length = |at: usize| {

@@ -1,15 +1,15 @@
 //! A completely loaded model with everything needed for its levels and views.
 
-use striata::ProgressFn;
-use striata::mesh::{Bounds, IndexedMesh, RefinableMesh};
+use striata::mesh::{Bounds, IndexedMesh, LevelTable, RefinableMesh};
 use striata::model::{FanForm, FanFront, FanIndices, FanScene, Fans, LodModel};
 use striata::simplify::{SequenceOptions, build_sequence_with_progress};
 use striata::view::{ScreenError, Sphere};
+use striata::{ProgressFn, Target};
 #[cfg(feature = "files")]
 use striata_io::{Source, read_bytes};
 
 use crate::leveled::Leveled;
-use crate::shown_level::{LevelRequest, ShownLevel};
+use crate::shown_level::ShownLevel;
 use crate::vertices::Vertices;
 use crate::view::View;
 use crate::{Failure, coloring, limits, normals};
@@ -21,10 +21,11 @@ enum LastShown {
     View,
 }
 
-/// Mesh, collapse sequence, the table of fans, and one instance of it.
+/// Mesh, counts and errors of its levels, the table of fans, and one instance of it.
 #[derive(Debug)]
 pub(crate) struct BuiltModel {
-    refinable: RefinableMesh,
+    mesh: IndexedMesh,
+    levels: LevelTable,
     fans: Fans,
     sphere: Sphere,
     front: Option<FanFront<ScreenError>>,
@@ -36,14 +37,15 @@ impl BuiltModel {
     /// Builds the fans of a mesh.
     pub(crate) fn new(refinable: RefinableMesh) -> Self {
         let fans = Fans::build(&refinable);
-        Self::from_parts(refinable, fans)
+        let RefinableMesh { mesh, sequence } = refinable;
+        Self::from_parts(mesh, sequence.levels().clone(), fans)
     }
 
-    pub(crate) fn from_parts(refinable: RefinableMesh, fans: Fans) -> Self {
-        let sphere = FanScene::new(&fans, &refinable.mesh.positions).sphere();
-        let last = LastShown::Uniform(refinable.sequence.step_count());
+    pub(crate) fn from_parts(mesh: IndexedMesh, levels: LevelTable, fans: Fans) -> Self {
+        let sphere = FanScene::new(&fans, &mesh.positions).sphere();
+        let last = LastShown::Uniform(levels.step_count());
         let indices = FanIndices::default();
-        Self { refinable, fans, sphere, front: None, last, indices }
+        Self { mesh, levels, fans, sphere, front: None, last, indices }
     }
 
     /// Reads an uncompressed mesh file and simplifies it.
@@ -79,11 +81,10 @@ impl BuiltModel {
     /// Emits the triangles of the level shown last.
     fn shown(&mut self) -> ShownLevel {
         self.emit(FanForm::Triangles);
-        let sequence = &self.refinable.sequence;
         let (split_count, coarsest) = match (self.last, &self.front) {
             (LastShown::View, Some(front)) => {
                 let instance = front.instance();
-                let step_count = sequence.step_count();
+                let step_count = self.levels.step_count();
                 let coarsest = (0..step_count).find(|&step| !instance.is_refined(step as u32));
                 (instance.split_count(), coarsest.unwrap_or(step_count))
             }
@@ -95,7 +96,7 @@ impl BuiltModel {
             triangles: self.indices.indices.as_chunks().0.to_vec(),
             group_counts,
             split_count,
-            error: sequence.error_at(coarsest),
+            error: self.levels.error_at(coarsest),
         }
     }
 
@@ -118,11 +119,11 @@ impl Leveled for BuiltModel {
     }
 
     fn vertex_count(&self) -> usize {
-        self.refinable.mesh.vertex_count()
+        self.mesh.vertex_count()
     }
 
     fn triangle_count(&self) -> usize {
-        self.refinable.mesh.triangle_count()
+        self.mesh.triangle_count()
     }
 
     fn full_counts(&self) -> (usize, usize) {
@@ -130,50 +131,45 @@ impl Leveled for BuiltModel {
     }
 
     fn step_count(&self) -> usize {
-        self.refinable.sequence.step_count()
+        self.levels.step_count()
     }
 
     fn bounds(&self) -> Option<Bounds> {
-        self.refinable.mesh.bounds()
+        self.mesh.bounds()
     }
 
     fn smooth_normals(&self) -> Vec<[f32; 3]> {
-        let RefinableMesh { mesh, sequence } = &self.refinable;
-        normals::of_vertices(&mesh.positions, &mesh.triangles, sequence.positions().first_vertices())
+        let first_vertices = self.levels.positions().first_vertices();
+        normals::of_vertices(&self.mesh.positions, &self.mesh.triangles, first_vertices)
     }
 
-    fn split_count_for(&self, request: LevelRequest) -> usize {
-        let sequence = &self.refinable.sequence;
-        match request {
-            LevelRequest::Detail(detail) => sequence.split_count_for_detail(detail),
-            LevelRequest::Triangles(limit) => sequence.split_count_for_triangles(limit),
-            LevelRequest::Error(limit) => sequence.split_count_for_error(limit),
-        }
+    fn split_count_for(&self, target: Target) -> usize {
+        target.resolve_in(&self.levels).0
     }
 
     fn triangle_count_at(&self, split_count: usize) -> usize {
-        self.refinable.sequence.triangle_count_at(split_count.min(self.step_count()))
+        self.levels.triangle_count_at(split_count.min(self.step_count()))
     }
 
     fn error_at(&self, split_count: usize) -> f32 {
-        self.refinable.sequence.error_at(split_count.min(self.step_count()))
+        self.levels.error_at(split_count.min(self.step_count()))
     }
 
     fn vertices(&self, first: usize) -> Vertices {
-        let mesh = &self.refinable.mesh;
+        let mesh = &self.mesh;
         let first = first.min(mesh.vertex_count());
         Vertices::new(&mesh.positions[first..], &mesh.layers, first, mesh.appearance.color_space)
     }
 
-    fn show(&mut self, request: LevelRequest) -> ShownLevel {
-        let split_count = self.split_count_for(request);
+    fn show(&mut self, target: Target) -> ShownLevel {
+        let split_count = self.split_count_for(target);
         self.last = LastShown::Uniform(split_count);
         self.shown()
     }
 
     fn show_view(&mut self, view: &View) -> Result<(ShownLevel, bool), Failure> {
         let criterion = view.criterion()?.with_model_bounds(self.sphere);
-        let scene = FanScene::new(&self.fans, &self.refinable.mesh.positions);
+        let scene = FanScene::new(&self.fans, &self.mesh.positions);
         let front = self.front.get_or_insert_with(|| FanFront::new(&scene));
         let update = match view.triangle_limit {
             0 => front.update(&scene, &criterion, usize::MAX),

@@ -1,9 +1,10 @@
 //! The interface that a model requires from what decodes or builds it.
 
+use striata::Target;
 use striata::mesh::Bounds;
 
 use crate::Failure;
-use crate::shown_level::{LevelRequest, ShownLevel};
+use crate::shown_level::ShownLevel;
 use crate::vertices::Vertices;
 use crate::view::View;
 
@@ -65,7 +66,7 @@ pub(crate) trait Leveled {
     fn smooth_normals(&self) -> Vec<[f32; 3]>;
 
     /// Number of vertex splits of the level that a request selects among the available ones.
-    fn split_count_for(&self, request: LevelRequest) -> usize;
+    fn split_count_for(&self, target: Target) -> usize;
 
     /// Number of triangles of a level.
     fn triangle_count_at(&self, split_count: usize) -> usize;
@@ -74,7 +75,7 @@ pub(crate) trait Leveled {
     fn error_at(&self, split_count: usize) -> f32;
 
     /// Shows the requested level.
-    fn show(&mut self, request: LevelRequest) -> ShownLevel;
+    fn show(&mut self, target: Target) -> ShownLevel;
 
     /// Refines for a camera; also returns whether repeating the request would give the same result.
     ///

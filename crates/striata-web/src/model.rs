@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use striata::Target;
 #[cfg(feature = "files")]
 use striata_io::Format;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -13,7 +14,7 @@ use crate::leveled::Leveled;
 use crate::prefix_model::PrefixModel;
 #[cfg(feature = "files")]
 use crate::progress::{self, Sink};
-use crate::shown_level::{LevelRequest, ShownLevel};
+use crate::shown_level::ShownLevel;
 #[cfg(feature = "stream")]
 use crate::streamed_model::StreamedModel;
 use crate::vertices::Vertices;
@@ -194,22 +195,22 @@ impl Model {
 
     /// Shows a level by its detail, 0 (base mesh) to 1 (full mesh).
     pub fn show_detail(&mut self, detail: f64) {
-        self.shown = self.levels.show(LevelRequest::Detail(detail));
+        self.shown = self.levels.show(Target::Detail(detail));
     }
 
     /// Shows the finest level with at most this many triangles.
     pub fn show_triangles(&mut self, limit: usize) {
-        self.shown = self.levels.show(LevelRequest::Triangles(limit));
+        self.shown = self.levels.show(Target::Triangles(limit));
     }
 
     /// Shows the coarsest level whose error is at most this, mesh units.
     pub fn show_error(&mut self, limit: f64) {
-        self.shown = self.levels.show(LevelRequest::Error(limit));
+        self.shown = self.levels.show(Target::Error(limit));
     }
 
     /// Number of vertex splits of the coarsest level whose error is at most this, mesh units.
     pub fn split_count_for_error(&self, limit: f64) -> usize {
-        self.levels.split_count_for(LevelRequest::Error(limit))
+        self.levels.split_count_for(Target::Error(limit))
     }
 
     /// Number of triangles of an available level.

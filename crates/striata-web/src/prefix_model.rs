@@ -1,10 +1,11 @@
 //! A whole simplified mesh whose levels are prefixes of its vertices and triangles.
 
-use striata::mesh::{AttributeLayer, Bounds, ColorSpace};
+use striata::Target;
+use striata::mesh::{AttributeLayer, Bounds, ColorSpace, steps_for_detail};
 use striata_stream::{GrowingHierarchy, HierarchyCut, PrefixMesh};
 
 use crate::leveled::Leveled;
-use crate::shown_level::{LevelRequest, ShownLevel};
+use crate::shown_level::ShownLevel;
 use crate::streamed_model::by_group;
 use crate::vertices::Vertices;
 use crate::view::View;
@@ -135,16 +136,14 @@ impl Leveled for PrefixModel {
         normals::of_vertices(&self.positions, &self.triangles, &self.first_vertices)
     }
 
-    fn split_count_for(&self, request: LevelRequest) -> usize {
-        match request {
-            LevelRequest::Detail(detail) => {
-                let exact = detail.clamp(0.0, 1.0) * self.step_count() as f64;
-                // The small term keeps `k / step_count` from rounding down to k - 1.
-                ((exact + 1e-9 * exact.max(1.0)) as usize).min(self.step_count())
-            }
-            LevelRequest::Triangles(limit) => self.prefix().split_count_for_triangles(limit),
+    fn split_count_for(&self, target: Target) -> usize {
+        match target {
+            Target::Detail(detail) => steps_for_detail(detail, self.step_count()),
+            Target::Triangles(limit) => self.prefix().split_count_for_triangles(limit),
             // Errors never rise with the split count.
-            LevelRequest::Error(limit) => self.errors.partition_point(|&error| f64::from(error) > limit),
+            Target::Error(limit) => self.errors.partition_point(|&error| f64::from(error) > limit),
+            // Pages ask for no others.
+            _ => self.step_count(),
         }
     }
 
@@ -156,8 +155,8 @@ impl Leveled for PrefixModel {
         self.errors.get(split_count).copied().unwrap_or(0.0)
     }
 
-    fn show(&mut self, request: LevelRequest) -> ShownLevel {
-        let split_count = self.split_count_for(request);
+    fn show(&mut self, target: Target) -> ShownLevel {
+        let split_count = self.split_count_for(target);
         let mut triangles = Vec::new();
         self.prefix().triangles_at_into(split_count, &mut triangles);
         self.shown(&triangles, split_count, split_count)

@@ -1,4 +1,4 @@
-//! Level requests and their results: triangles over the vertex buffer, group by group.
+//! Levels that are shown: triangles over the vertex buffer, group by group.
 
 /// A level that is shown, uniform or view-dependent.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -11,15 +11,4 @@ pub(crate) struct ShownLevel {
     pub split_count: usize,
     /// Largest distance from the full mesh, mesh units.
     pub error: f32,
-}
-
-/// A request for a uniform level.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum LevelRequest {
-    /// By detail: 0 is the base mesh, 1 the full mesh.
-    Detail(f64),
-    /// The finest level with at most this many triangles.
-    Triangles(usize),
-    /// The coarsest level whose error is at most this, mesh units.
-    Error(f64),
 }

@@ -12,15 +12,15 @@ use striata::strip::strip_triangles;
 use crate::Failure;
 use crate::built_model::BuiltModel;
 
-/// Reads the mesh, the collapse sequence and, if present, the fans.
+/// Reads the mesh, its levels and, if present, the fans.
 ///
 /// # Errors
 /// If a section is invalid, or no section contains triangles.
 pub(crate) fn read(file: &StriataFile<'_>) -> Result<BuiltModel, Failure> {
-    if !file.has_collapses() {
+    let fans = file.fans().transpose()?;
+    if fans.is_none() && !file.has_collapses() {
         return Err(patterns_only());
     }
-    let fans = file.fans().transpose()?;
     let mut mesh = IndexedMesh {
         positions: file.positions()?.into_owned(),
         origin: file.origin()?,
@@ -47,16 +47,15 @@ pub(crate) fn read(file: &StriataFile<'_>) -> Result<BuiltModel, Failure> {
         return Err(patterns_only());
     }
     mesh.check().map_err(Failure::corrupt)?;
-    let refinable = RefinableMesh { mesh, sequence: file.sequence()? };
-    let (found, expected) = (refinable.mesh.triangle_count(), file.summary().triangle_count);
+    let (found, expected) = (mesh.triangle_count(), file.summary().triangle_count);
     if found != expected {
         return Err(Failure::corrupt(format!(
             "the file contains {found} triangles, but its summary says {expected}"
         )));
     }
     Ok(match fans {
-        Some(fans) => BuiltModel::from_parts(refinable, fans),
-        None => BuiltModel::new(refinable),
+        Some(fans) => BuiltModel::from_parts(mesh, file.levels_of_fans(&fans)?, fans),
+        None => BuiltModel::new(RefinableMesh { mesh, sequence: file.sequence()? }),
     })
 }
 

@@ -5,11 +5,12 @@
 //! only what has been revealed: more may have been decoded, but requests are answered without new vertices
 //! and normals.
 
-use striata::mesh::Bounds;
+use striata::Target;
+use striata::mesh::{Bounds, steps_for_detail};
 use striata_stream::{GrowingHierarchy, HierarchyCut, StreamDecoder, StreamInfo};
 
 use crate::leveled::Leveled;
-use crate::shown_level::{LevelRequest, ShownLevel};
+use crate::shown_level::ShownLevel;
 use crate::stream_source::StreamSource;
 use crate::vertices::Vertices;
 use crate::view::View;
@@ -204,9 +205,9 @@ impl Leveled for StreamedModel {
         normals
     }
 
-    fn split_count_for(&self, request: LevelRequest) -> usize {
+    fn split_count_for(&self, target: Target) -> usize {
         let available = self.revealed.step_count;
-        self.source.read(|decoder| split_count_for(decoder, request, available))
+        self.source.read(|decoder| split_count_for(decoder, target, available))
     }
 
     fn triangle_count_at(&self, split_count: usize) -> usize {
@@ -218,8 +219,8 @@ impl Leveled for StreamedModel {
         self.source.read(|decoder| decoder.error_at(split_count).unwrap_or(0.0))
     }
 
-    fn show(&mut self, request: LevelRequest) -> ShownLevel {
-        let split_count = self.split_count_for(request);
+    fn show(&mut self, target: Target) -> ShownLevel {
+        let split_count = self.split_count_for(target);
         let mut triangles = Vec::new();
         self.source.read(|decoder| decoder.prefix().triangles_at_into(split_count, &mut triangles));
         self.shown(&triangles, split_count, split_count)
@@ -242,16 +243,11 @@ impl Leveled for StreamedModel {
 }
 
 /// Number of vertex splits of the level that a request selects among those that are available.
-fn split_count_for(decoder: &StreamDecoder, request: LevelRequest, available: usize) -> usize {
-    match request {
-        LevelRequest::Detail(detail) => {
-            let step_count = decoder.step_count().unwrap_or(0);
-            let exact = detail.clamp(0.0, 1.0) * step_count as f64;
-            // The small term keeps `k / step_count` from rounding down to k - 1.
-            ((exact + 1e-9 * exact.max(1.0)) as usize).min(available)
-        }
-        LevelRequest::Triangles(limit) => decoder.prefix().split_count_for_triangles(limit).min(available),
-        LevelRequest::Error(limit) => {
+fn split_count_for(decoder: &StreamDecoder, target: Target, available: usize) -> usize {
+    match target {
+        Target::Detail(detail) => steps_for_detail(detail, decoder.step_count().unwrap_or(0)).min(available),
+        Target::Triangles(limit) => decoder.prefix().split_count_for_triangles(limit).min(available),
+        Target::Error(limit) => {
             let is_farther = |s: usize| decoder.error_at(s).is_some_and(|e| f64::from(e) > limit);
             // Errors never rise with the split count, so a binary search finds the first small enough one.
             let (mut low, mut high) = (0, available);
@@ -261,6 +257,8 @@ fn split_count_for(decoder: &StreamDecoder, request: LevelRequest, available: us
             }
             low
         }
+        // Pages ask for no others.
+        _ => available,
     }
 }
 

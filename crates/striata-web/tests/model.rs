@@ -1,12 +1,15 @@
 //! The model as a page uses it: bytes in, levels out, and a clean error for any damaged bytes.
 
-use striata::file::{FileModel, WriteOptions, to_striata};
+use striata::file::{FileModel, WriteOptions, to_striata, write_fragments};
 use striata::ignore_progress;
 use striata::mesh::{
-    AttributeLayer, IndexedMesh, Random, Semantic, TriangleGroup, canonical_triangles, replay, shapes,
+    AttributeLayer, IndexedMesh, Random, Semantic, TriangleGroup, canonical_triangles, replay,
+    replay_fragments, shapes,
 };
 use striata::model::Fans;
-use striata::simplify::{BatchOptions, SequenceOptions, build_batches, build_sequence};
+use striata::simplify::{
+    BatchOptions, RemovalOptions, SequenceOptions, build_batches, build_fragments, build_sequence,
+};
 use striata_io::{Format, to_bytes};
 use striata_stream::{StreamDecoder, StreamOptions, encode_stream, file_model};
 use striata_web::{Model, StreamPlace, View};
@@ -311,4 +314,24 @@ fn the_header_locates_the_stream() {
     // A whole file is decoded from its stream, too.
     let model = Model::read(bytes, "torus.striata", &mut ignore_progress).unwrap();
     assert_eq!((model.kind().as_str(), model.triangle_count()), ("striata", mesh.triangle_count()));
+}
+
+#[test]
+fn fans_of_removals_show_every_level() {
+    let built = build_fragments(&torus(), &RemovalOptions::default()).unwrap();
+    let fans = Fans::build(&built.fragmented);
+    let mut bytes = Vec::new();
+    let options = WriteOptions::default();
+    write_fragments(&built.fragmented, &[FileModel::Fans(&fans)], &options, &mut bytes).unwrap();
+    let mut model = Model::read(bytes, "torus.striata", &mut ignore_progress).unwrap();
+    assert_eq!((model.kind().as_str(), model.group_count()), ("striata", 2));
+    let step_count = built.fragmented.fragments.levels().step_count();
+    for split_count in [0, step_count / 3, step_count] {
+        model.show_detail(split_count as f64 / step_count as f64);
+        let expected = replay_fragments(&built.fragmented, split_count);
+        assert_eq!(triangles(&model), canonical_triangles(&expected.triangles), "split {split_count}");
+    }
+    model.show_view(&camera([3.0, 0.0, 1.0], 4.0, 0)).unwrap();
+    let count = triangles(&model).len();
+    assert!(0 < count && count < torus().triangle_count(), "{count}");
 }

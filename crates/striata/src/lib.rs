@@ -45,6 +45,7 @@
 //! # Modules
 //!
 //! * [`lod`]: [`Lod`] and its levels and views, the simplest way to use the library
+//! * [`levels`]: one interface to the levels of meshes, files, streams, pages and scenes
 //! * [`mesh`]: meshes, attributes, validation, measurement, and the collapse sequence
 //! * [`simplify`]: builds the collapse sequence of a mesh
 //! * [`strip`]: triangle strips
@@ -64,6 +65,7 @@
 //! * `parallel` (default): spreads work over threads with rayon. Results are the same without it.
 
 pub mod file;
+pub mod levels;
 pub mod lod;
 pub mod mesh;
 pub mod model;
@@ -73,6 +75,7 @@ pub mod simplify;
 pub mod strip;
 pub mod view;
 
+pub use levels::Levels;
 pub use lod::{Level, Lod, LodOptions, StripLevel, View};
 pub use progress::{Cancelled, Progress, ProgressFn, ignore_progress};
 pub use simplify::Target;

@@ -11,7 +11,7 @@ use striata_io::{Format, QuantizeOptions, Scene, Source, read_scene_bytes, scene
 use striata_scene::stream::{SceneStreamOptions, encode_scene};
 use striata_scene::{GlbStreamOptions, LodScene};
 use striata_testing::scenes;
-use striata_testing::strange::GltfParts;
+use striata_testing::strange::StrangeParts;
 
 /// Target, file name and contents of each input.
 pub type Input = (&'static str, String, Vec<u8>);
@@ -25,7 +25,7 @@ pub fn inputs() -> Result<Vec<Input>, Box<dyn Error>> {
     for (number, scene) in scenes::all().iter().enumerate() {
         let name = scene.name;
         let glb = scene.to_glb();
-        let parts = GltfParts::of_glb(&glb);
+        let parts = StrangeParts::of_glb(&glb);
         inputs.push(("scene", name.to_owned(), vec![number as u8, ALL_CHECKS]));
         let text = parts.document.to_string().into_bytes();
         let plain = [&[scenes::all().len() as u8, 0][..], &text, &[0], &parts.buffer].concat();
@@ -67,14 +67,14 @@ fn compressed(name: &str, scene: &Scene) -> Result<Vec<Input>, Box<dyn Error>> {
     let rounded = exact.clone().with_quantize(QuantizeOptions::default());
     for (form, options) in [("exact", exact), ("rounded", rounded)] {
         let meshopt = scene_to_bytes(Format::Glb, scene, &options.clone().with_meshopt(true))?;
-        let parts = GltfParts::of_glb(&meshopt);
+        let parts = StrangeParts::of_glb(&meshopt);
         for (view, entry) in entries(&parts.document, "bufferViews").enumerate() {
             let Some(extension) = entry.pointer("/extensions/EXT_meshopt_compression") else { continue };
             let input = [&meshopt_head(extension)[..], range(&parts.buffer, extension)].concat();
             inputs.push(("gltf_meshopt", format!("{name}-{form}-{view}"), input));
         }
         let draco = scene_to_bytes(Format::Glb, scene, &options.with_draco(true))?;
-        let parts = GltfParts::of_glb(&draco);
+        let parts = StrangeParts::of_glb(&draco);
         let primitives = entries(&parts.document, "meshes").flat_map(|mesh| entries(mesh, "primitives"));
         for (number, primitive) in primitives.enumerate() {
             let Some(extension) = primitive.pointer("/extensions/KHR_draco_mesh_compression") else {

@@ -25,7 +25,7 @@ use striata_viewer::serve::{ServeArgs, ThumbnailArgs};
 use striata_viewer::window::WindowArgs;
 
 pub(crate) use self::paged::{CellArgs, PagedArgs, PlanArgs, RunArgs};
-pub(crate) use self::render::{Background, DrawnModel, RenderArgs};
+pub(crate) use self::render::{DrawnModel, PictureBackground, RenderArgs};
 pub(crate) use self::stream::{DecodeArgs, EncodeArgs};
 pub(crate) use self::strips::StripArgs;
 

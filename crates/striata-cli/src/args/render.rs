@@ -71,7 +71,7 @@ pub(crate) struct RenderArgs {
     pub heat_max: Option<Length>,
     /// Background color: dark, light, none (transparent) or #rrggbb
     #[arg(long, value_name = "COLOR", default_value = "dark", help_heading = APPEARANCE)]
-    pub background: Background,
+    pub background: PictureBackground,
     /// Size of the picture in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x960", help_heading = APPEARANCE)]
     pub size: Viewport,
@@ -212,7 +212,7 @@ impl ValueEnum for DrawnModel {
 
 /// The background of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Background {
+pub(crate) enum PictureBackground {
     /// Nearly black.
     Dark,
     /// Nearly white.
@@ -223,7 +223,7 @@ pub(crate) enum Background {
     Color([u8; 3]),
 }
 
-impl FromStr for Background {
+impl FromStr for PictureBackground {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -263,10 +263,10 @@ mod tests {
 
     #[test]
     fn backgrounds_are_names_or_colors() {
-        assert_eq!("none".parse(), Ok(Background::None));
-        assert_eq!("#0a1bFF".parse(), Ok(Background::Color([10, 27, 255])));
+        assert_eq!("none".parse(), Ok(PictureBackground::None));
+        assert_eq!("#0a1bFF".parse(), Ok(PictureBackground::Color([10, 27, 255])));
         for wrong in ["", "black", "#", "#12345", "#1234567", "#12345g", "#+12345", "123456"] {
-            assert!(wrong.parse::<Background>().is_err(), "{wrong:?} was accepted");
+            assert!(wrong.parse::<PictureBackground>().is_err(), "{wrong:?} was accepted");
         }
     }
 

@@ -9,7 +9,7 @@ use striata_command::input::Input;
 use striata_command::output::{Output, Table, format_length};
 
 #[derive(Serialize)]
-struct Report {
+struct DistanceReport {
     max: f64,
     rms: f64,
     mean: f64,
@@ -56,7 +56,7 @@ pub(crate) fn run(args: &DistanceArgs, output: &Output) -> Result<(), Failure> {
         error => Failure::user(error.to_string()),
     })?;
     drop(bar);
-    let report = Report {
+    let report = DistanceReport {
         max: distance.max,
         rms: distance.rms,
         mean: distance.mean,
@@ -73,7 +73,7 @@ fn no_surface(input: &Input) -> Failure {
         .with_hint("`striata info` shows what the file contains")
 }
 
-impl Report {
+impl DistanceReport {
     fn to_text(&self) -> String {
         let mut table = Table::with_head(&["", "max", "rms", "mean", "rms / diagonal"]);
         let both = OneSidedReport { max: self.max, rms: self.rms, mean: self.mean };

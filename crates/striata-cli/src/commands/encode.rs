@@ -8,8 +8,8 @@ use striata::file::{WriteOptions, write_fragments, write_striata};
 use striata::mesh::{IndexedMesh, Steps, weld};
 use striata_io::Format;
 use striata_stream::{
-    EncodedStream, StreamInfo, StreamOptions, encode_fragments_with_progress, encode_stream_with_progress,
-    file_model,
+    EncodedStream, StreamInfo, StreamLevels, StreamOptions, encode_fragments_with_progress,
+    encode_stream_with_progress, file_model,
 };
 
 use super::scene;
@@ -26,7 +26,7 @@ use striata_command::save::{
 };
 use striata_command::scene::with_mesh_textures;
 use striata_command::sequence::{Limits, SequencePlan, SimplifiedSteps};
-use striata_command::stream::{DecodedStream, precision_name, stream_facts_json};
+use striata_command::stream::{precision_name, stream_facts_json};
 
 /// Phases whose times are reported.
 const PHASES: [&str; 5] = ["read", "weld", "simplify", "encode", "write"];
@@ -81,7 +81,7 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     phases.leave();
     drop(bar);
     let encoded = EncodeResult { mesh: &mesh, sequenced: &sequenced, stream: &stream };
-    let report = Report::new(&encoded, display_name(&path), bytes.len(), phases)?;
+    let report = EncodeReport::new(&encoded, display_name(&path), bytes.len(), phases)?;
     output.summary(&report, &report.to_text(args, &options))
 }
 
@@ -145,7 +145,7 @@ fn in_striata_file(stream: &EncodedStream, source: &str) -> Result<Vec<u8>, Fail
         .with_metadata("source", source);
     let models = [file_model(&stream.bytes)?];
     let mut bytes = Vec::new();
-    match DecodedStream::read_all(&stream.bytes)?.steps()? {
+    match StreamLevels::decoded(&stream.bytes)?.into_steps()? {
         Steps::Collapses(refinable) => write_striata(&refinable, &models, &options, &mut bytes)?,
         Steps::Fragments(fragmented) => write_fragments(&fragmented, &models, &options, &mut bytes)?,
     }
@@ -160,7 +160,7 @@ struct EncodeResult<'a> {
 }
 
 #[derive(Serialize)]
-struct Report {
+struct EncodeReport {
     path: String,
     vertex_count: usize,
     triangle_count: usize,
@@ -187,7 +187,7 @@ struct Report {
     peak_rss_bytes: Option<u64>,
 }
 
-impl Report {
+impl EncodeReport {
     fn new(
         encoded: &EncodeResult<'_>,
         path: String,

@@ -9,7 +9,7 @@ mod distance;
 mod encode;
 mod extract;
 mod info;
-mod levels_report;
+mod levels;
 mod paged;
 mod placement;
 mod render;

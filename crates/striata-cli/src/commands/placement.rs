@@ -6,7 +6,6 @@ use striata::simplify::{Placement, Target};
 use crate::args::{PlacementArg, SimplifyArgs};
 use striata_command::args::OrderArg;
 use striata_command::failure::Failure;
-use striata_command::level::LevelRequest;
 
 /// Which meshes get vertices that are not those of the input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,9 +70,9 @@ pub(super) fn placement_note(placement: &str) -> &'static str {
 }
 
 /// Largest error that moved vertices may have.
-pub(super) fn fitting_limit(request: &LevelRequest) -> f64 {
-    match request.target {
-        Some(Target::Error(error)) => error,
+pub(super) fn fitting_limit(target: Target) -> f64 {
+    match target {
+        Target::Error(error) => error,
         _ => f64::INFINITY,
     }
 }

@@ -2,25 +2,22 @@
 
 use std::time::Instant;
 
-use striata::mesh::{DistanceOptions, IndexedMesh, surface_distance, weld};
-use striata::simplify::{Simplified, StopReason, Target, fit_within};
+use striata::mesh::weld;
+use striata::simplify::Target;
 
-use super::levels_report::{HowMade, MadeLevel, MadeLevels, text_of};
-use super::placement::{ChosenPlacement, fitting_limit, placement_name};
-use super::scene::{self, check_outputs};
+use super::levels::{
+    HowMade, LevelJob, ScenePlacement, SceneSource, SimplifiedMesh, check_outputs, full_of, simplified_text,
+    write_levels,
+};
+use super::placement::{ChosenPlacement, placement_name};
 use crate::args::SimplifyArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_command::level::{
-    CoarseningLimit, FullMesh, LevelRequest, ReachedLevel, WrittenLevel, level_requests,
-};
+use striata_command::level::{CoarseningLimit, FullMesh, LevelRequest, level_requests};
 use striata_command::output::Output;
-use striata_command::save::{LevelFiles, Primitives, georeference_of, is_stdout};
-use striata_command::scene::with_mesh_textures;
-use striata_command::sequence::{Limits, SequencePlan, SimplifiedSteps, StepKind, limit_in_units};
-
-/// Sample points on each surface for the distance from the level to the original.
-const REVERSE_SAMPLES: usize = 100_000;
+use striata_command::save::{georeference_of, is_stdout};
+use striata_command::scene::{ReceivedScene, build_scene, edited, flat_scene, with_mesh_textures};
+use striata_command::sequence::{Limits, StepKind, limit_in_units};
 
 /// Reads and simplifies the mesh, writes the levels, and reports.
 ///
@@ -29,14 +26,14 @@ const REVERSE_SAMPLES: usize = 100_000;
 pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     output.check_stdout_is_free(is_stdout(&args.output.output))?;
-    check_outputs(&args.level, &args.levels, &args.output.output, &args.output.format)?;
+    check_outputs(&args.level, &args.levels, &args.output)?;
     let placement = ChosenPlacement::of(args)?;
     let mut bar = output.bar();
     bar.phase("read");
     let input = Input::open(&args.input)?;
     if (input.scene_kind().is_some() && !args.scene.flat) || args.levels.lod_chain {
         drop(bar);
-        return scene::simplify(args, placement, &input, started, output);
+        return simplify_scene(args, placement, &input, started, output);
     }
     let mesh = with_mesh_textures(input.mesh(output)?, args.textures.options().as_ref(), output)?;
     args.sequence.warn_about_groups(&mesh, output);
@@ -49,60 +46,78 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let requests = level_requests(&args.level, &args.levels, full, &args.output.output)?;
     let limits = limits(args, &requests, full.diagonal);
     let plan = args.sequence.plan_for(&mesh, limits)?;
-    let simplify_started = Instant::now();
+    let simplifying = Instant::now();
     let welded = weld(&mesh).map_err(|error| in_file(error.into()))?;
     let made = plan.run(welded, &mut |progress| bar.show(progress)).map_err(|error| in_file(error.into()))?;
     let is_fitted = placement.moves(&mesh);
-    let coarsening_limit = CoarseningLimit::Simplification(args.sequence.describe_limit(StepKind::Single));
-    let mut files = LevelFiles::new(&args.output.format, args.levels.levels.is_some(), output);
-    let mut levels = Vec::new();
-    let mut simplify_secs = simplify_started.elapsed().as_secs_f64();
-    for request in &requests {
-        let level_started = Instant::now();
-        let (split_count, stop_reason) = resolve(&made, request.target);
-        let simplified = match &plan {
-            SequencePlan::Quadric { options, .. } if is_fitted => {
-                let within = |limit| split_count.max(made.steps.levels().split_count_for_error(limit));
-                let level_within = |limit| level_at(&made, within(limit), stop_reason);
-                let report = &mut |progress| bar.show(progress);
-                fit_within(&mesh, level_within, options, fitting_limit(request), report)
-                    .map_err(|error| in_file(error.into()))?
-            }
-            _ => level_at(&made, split_count, stop_reason),
-        };
-        simplify_secs += level_started.elapsed().as_secs_f64();
-        let mut level = made_level(request, &simplified, &coarsening_limit);
-        level.written.check_strict(args.strict)?;
-        bar.phase("write");
-        files.write(&simplified.mesh, Primitives::Triangles, &request.path)?;
-        if plan.guarantees_errors() {
-            bar.phase("distance");
-            level.reverse_error = Some(reverse_distance(&mesh, &simplified.mesh));
-        }
-        levels.push(level);
-    }
-    files.commit()?;
-    drop(bar);
+    let mut source = SimplifiedMesh {
+        mesh: &mesh,
+        plan: &plan,
+        made,
+        is_fitted,
+        limit: CoarseningLimit::Simplification(args.sequence.describe_limit(StepKind::Single)),
+        name: &input.name,
+        simplify_secs: simplifying.elapsed().as_secs_f64(),
+        bar,
+    };
+    let report = write_levels(&mut source, &job(args, requests, started), output)?;
     let how = HowMade {
-        error_is_guaranteed: plan.guarantees_errors(),
         order: Some(plan.order().as_str()),
         placement: Some(placement_name(is_fitted)),
         georeference: georeference_of(&mesh),
-        simplify_secs: Some(simplify_secs),
-        secs: started.elapsed().as_secs_f64(),
+        simplify_secs: Some(source.simplify_secs),
     };
-    let report = MadeLevels::new(levels, args.levels.levels.is_some(), how)?;
-    output.summary(&report, &text_of(&report, mesh.triangle_count(), Some(full.diagonal)))
+    drop(source);
+    let report = report.with_how(how);
+    output.summary(&report, &simplified_text(&report, mesh.triangle_count(), Some(full.diagonal)))
 }
 
-/// Returns what is reported of a level.
-fn made_level(request: &LevelRequest, simplified: &Simplified, limit: &CoarseningLimit) -> MadeLevel {
-    let reached = ReachedLevel {
-        vertex_count: simplified.mesh.vertex_count(),
-        triangle_count: simplified.mesh.triangle_count(),
-        stop_reason: simplified.stop_reason,
-    };
-    WrittenLevel { error: Some(simplified.error), ..WrittenLevel::new(request, reached, limit) }.into()
+fn job(args: &SimplifyArgs, requests: Vec<LevelRequest>, started: Instant) -> LevelJob<'_> {
+    LevelJob {
+        requests,
+        is_list: args.levels.levels.is_some(),
+        // As far as possible.
+        default_target: Target::Detail(-1.0),
+        is_strict: args.strict,
+        format: &args.output.format,
+        started,
+    }
+}
+
+/// Simplifies a scene, writes its levels, and reports.
+///
+/// # Errors
+/// If any of this fails; nothing is written then.
+fn simplify_scene(
+    args: &SimplifyArgs,
+    chosen: ChosenPlacement,
+    input: &Input,
+    started: Instant,
+    output: &Output,
+) -> Result<(), Failure> {
+    let mut bar = output.bar();
+    bar.phase("read");
+    let scene = if args.scene.flat { flat_scene(input, output)? } else { input.scene(output)? };
+    let scene = edited(scene, &args.edits, true, output)?;
+    let limits = Limits { max_error: limit_in_units(args.max_error, scene.diagonal()), ..Limits::default() };
+    let lods = build_scene(input, &scene, &args.sequence, limits, &mut |progress| bar.show(progress))?;
+    let options = args.sequence.scene_options(&scene, false)?.sequence;
+    drop(bar);
+    let limit = CoarseningLimit::Simplification(args.sequence.describe_limit(StepKind::Single));
+    let placement = (chosen != ChosenPlacement::Subset).then_some(ScenePlacement { chosen, options });
+    let is_placed = placement.is_some();
+    let textures = args.textures.options();
+    let source = SceneSource::new(ReceivedScene::complete(lods), textures.as_ref(), output)?;
+    let mut source = source.simplified(limit, args.max_error.is_some(), placement);
+    if args.levels.lod_chain {
+        source = source.in_one_file(&args.output.output, &args.output.format);
+    }
+    let full = full_of(&mut source, &args.level)?;
+    let requests = level_requests(&args.level, &args.levels, full, &args.output.output)?;
+    let report = write_levels(&mut source, &job(args, requests, started), output)?;
+    let placement = is_placed.then(|| placement_name(source.is_fitted()));
+    let report = report.with_how(HowMade { placement, ..HowMade::default() });
+    output.summary(&report, &simplified_text(&report, full.triangle_count, None))
 }
 
 /// Returns how far the mesh must be simplified for the requested levels.
@@ -122,36 +137,4 @@ fn limits(args: &SimplifyArgs, requests: &[LevelRequest], diagonal: f64) -> Limi
         limits.max_error = Some(limits.max_error.map_or(*error, |limit| limit.min(*error)));
     }
     limits
-}
-
-/// Returns the split count of a level, the coarsest one if there is no target, and how well it meets the target.
-fn resolve(sequenced: &SimplifiedSteps, target: Option<Target>) -> (usize, StopReason) {
-    let SimplifiedSteps { steps, stop_reason: end_reason, .. } = sequenced;
-    let (levels, end_reason) = (steps.levels(), *end_reason);
-    match target {
-        None => (0, end_reason),
-        Some(target) => match (target.resolve_in(levels), target) {
-            // Simplification stopped because every further step would exceed the error: the target is
-            // reached.
-            ((at, StopReason::BaseReached), Target::Error(_)) if end_reason == StopReason::ErrorLimit => {
-                (at, StopReason::TargetReached)
-            }
-            ((at, StopReason::BaseReached), _) => (at, end_reason),
-            (resolved, _) => resolved,
-        },
-    }
-}
-
-/// Returns a level of a sequence.
-fn level_at(sequenced: &SimplifiedSteps, split_count: usize, stop_reason: StopReason) -> Simplified {
-    let steps = &sequenced.steps;
-    let error = f64::from(steps.levels().error_at(split_count));
-    Simplified { mesh: steps.level(split_count).without_unused_vertices(), error, stop_reason }
-}
-
-/// Returns the largest sampled distance from a level to the original; `None` if one of them has no surface.
-fn reverse_distance(original: &IndexedMesh, level: &IndexedMesh) -> Option<f64> {
-    let options = DistanceOptions::default().with_sample_count(REVERSE_SAMPLES);
-    let distance = surface_distance(original, level, &options);
-    distance.ok().map(|distance| distance.b_to_a.max)
 }

@@ -16,7 +16,7 @@ use striata_command::save::{Primitives, is_stdout, write_mesh};
 use striata_command::strip_report::StripReport;
 
 #[derive(Serialize)]
-struct Report {
+struct StripCostReport {
     #[serde(flatten)]
     strips: StripReport,
     seed: u64,
@@ -57,7 +57,7 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
     let strips =
         StripReport::new(args.strips.to_string(), &mesh, &stripped, args.search.cache_size as usize)?
             .with_strip_count_bound(&args.strips, &mesh);
-    let mut report = Report {
+    let mut report = StripCostReport {
         strips,
         seed: args.search.seed,
         budget_secs: args.search.budget,
@@ -88,7 +88,7 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
     Ok(())
 }
 
-impl Report {
+impl StripCostReport {
     fn to_text(&self, path: Option<&Path>) -> String {
         let mut text = self.strips.to_text();
         if let (Some(path), Some(count)) = (path, self.stitched_index_count) {

@@ -16,7 +16,7 @@ use striata_command::save::{format_of, is_stdout};
 use striata_command::shapes::Shape;
 
 #[derive(Serialize)]
-struct Report {
+struct StripBlocksReport {
     algorithm: String,
     seed: u64,
     vertex_count: u32,
@@ -85,13 +85,13 @@ pub(crate) fn run(args: &StripArgs, block_triangles: usize, output: &Output) -> 
     };
     drop(bar);
     output.warn_of_losses(&losses);
-    let report = Report {
+    let report = StripBlocksReport {
         written_index_count,
         read_secs,
         stripify_secs,
         secs: started.elapsed().as_secs_f64(),
         peak_rss_bytes: peak_rss_bytes(),
-        ..Report::new(args, block_triangles, &blocks, &made)
+        ..StripBlocksReport::new(args, block_triangles, &blocks, &made)
     };
     match args.output {
         Some(_) => output.summary(&report, &report.to_text()),
@@ -144,7 +144,7 @@ fn scratch_folder(output: Option<&Path>) -> PathBuf {
     }
 }
 
-impl Report {
+impl StripBlocksReport {
     fn new(args: &StripArgs, block_triangles: usize, blocks: &TriangleBlocks, made: &BlocksReport) -> Self {
         let cost = made.cost;
         Self {

@@ -8,7 +8,7 @@ use striata::mesh::{RefinableMesh, replay, weld};
 use striata_strip::{LiveStripBuffer, LiveStrips, RepairReport};
 
 use crate::args::StripArgs;
-use crate::strip_lists::{StripLists, check_output, without_unused_vertices};
+use crate::strip_lists::{StripLists, check_output};
 use striata::mesh::Steps;
 use striata_command::args::Level;
 use striata_command::failure::Failure;
@@ -19,20 +19,20 @@ use striata_command::save::{LevelFiles, Primitives};
 use striata_command::sequence::SequencePlan;
 
 #[derive(Serialize)]
-struct Report {
+struct StripLevelsReport {
     algorithm: String,
     seed: u64,
     /// Number of moves by which each level after the first is reached.
     frames: u32,
     repair: &'static str,
     step_count: usize,
-    levels: Vec<LevelReport>,
+    levels: Vec<LevelStripsReport>,
     secs: f64,
 }
 
 /// A level, and how it was reached from the one before.
 #[derive(Serialize)]
-struct LevelReport {
+struct LevelStripsReport {
     /// The text that the user wrote for the level.
     level: String,
     split_count: usize,
@@ -77,7 +77,7 @@ pub(crate) fn run(args: &StripArgs, levels: &[Level], output: &Output) -> Result
     bar.phase("read");
     let input = Input::open(&args.input)?;
     let refinable = refinable(&input, &mut bar, output)?;
-    let mut follower = Follower::new(args, &refinable, levels, &mut bar)?;
+    let mut follower = StripFollower::new(args, &refinable, levels, &mut bar)?;
     let mut files = LevelFiles::new(&format, true, output);
     let mut reports = Vec::with_capacity(levels.len());
     for (index, level) in levels.iter().enumerate() {
@@ -91,7 +91,7 @@ pub(crate) fn run(args: &StripArgs, levels: &[Level], output: &Output) -> Result
     }
     files.commit()?;
     drop(bar);
-    let report = Report {
+    let report = StripLevelsReport {
         algorithm: args.strips.to_string(),
         seed: args.search.seed,
         frames: args.levels.frames,
@@ -135,7 +135,7 @@ fn refinable(input: &Input, bar: &mut Bar, output: &Output) -> Result<RefinableM
 }
 
 /// Live strips with their index buffer, and what it took to make and to move them.
-struct Follower<'a> {
+struct StripFollower<'a> {
     refinable: &'a RefinableMesh,
     live: LiveStrips<'a>,
     buffer: LiveStripBuffer,
@@ -144,7 +144,7 @@ struct Follower<'a> {
     stripify_secs: Option<f64>,
 }
 
-impl<'a> Follower<'a> {
+impl<'a> StripFollower<'a> {
     /// Makes the strips of the first level.
     ///
     /// # Errors
@@ -166,9 +166,9 @@ impl<'a> Follower<'a> {
     }
 
     /// Moves to a level in as many frames as requested.
-    fn move_to(&mut self, level: &Level) -> LevelReport {
+    fn move_to(&mut self, level: &Level) -> LevelStripsReport {
         let (from, to) = (self.live.split_count(), split_count_of(self.refinable, level));
-        let (mut moves, mut changes) = (RepairReport::default(), Changes::default());
+        let (mut moves, mut changes) = (RepairReport::default(), StripChanges::default());
         for frame in 1..=self.frames as usize {
             let at = from as f64 + (to as f64 - from as f64) * frame as f64 / f64::from(self.frames);
             let started = Instant::now();
@@ -197,9 +197,9 @@ impl<'a> Follower<'a> {
         self.report(level, moves, &changes)
     }
 
-    fn report(&self, level: &Level, moves: RepairReport, changes: &Changes) -> LevelReport {
+    fn report(&self, level: &Level, moves: RepairReport, changes: &StripChanges) -> LevelStripsReport {
         let cost = self.live.to_strip_set().cost();
-        LevelReport {
+        LevelStripsReport {
             level: level.text.clone(),
             split_count: self.live.split_count(),
             triangle_count: cost.triangle_count,
@@ -225,7 +225,8 @@ impl<'a> Follower<'a> {
     /// If the format cannot represent the mesh or writing fails.
     fn write(&self, path: &Path, files: &mut LevelFiles<'_>) -> Result<(), Failure> {
         let mesh = replay(self.refinable, self.live.split_count());
-        let (mesh, strips) = without_unused_vertices(mesh, Some(self.live.to_strip_set()));
+        let strips = self.live.to_strip_set().on_used_vertices(&mesh);
+        let mesh = mesh.without_unused_vertices();
         let strips =
             strips.ok_or_else(|| Failure::internal("a strip uses a vertex that no triangle uses"))?;
         files.write(&mesh, Primitives::Strips(StripLists::new(&mesh, &strips).lists), path)
@@ -234,7 +235,7 @@ impl<'a> Follower<'a> {
 
 /// Work of the moves to a level.
 #[derive(Default)]
-struct Changes {
+struct StripChanges {
     strip_secs: f64,
     buffer_secs: f64,
     frame_count: usize,
@@ -247,7 +248,7 @@ fn split_count_of(refinable: &RefinableMesh, level: &Level) -> usize {
     refinable.sequence.levels().split_count_for_triangles(count)
 }
 
-impl Report {
+impl StripLevelsReport {
     fn to_text(&self) -> String {
         let head = [
             "level",

@@ -88,17 +88,16 @@ impl ViewArgs {
         self.pixels.unwrap_or(1.0)
     }
 
-    /// Returns the refinement criterion for a camera; every tolerance is at least `least_pixels`.
-    pub fn criterion(&self, camera: Camera, least_pixels: f64) -> ScreenError {
-        let at_least = |pixels: f64| pixels.max(least_pixels) as f32;
-        let mut criterion = ScreenError::new(camera, at_least(self.pixels()));
+    /// Returns the refinement criterion for a camera.
+    pub fn criterion(&self, camera: Camera) -> ScreenError {
+        let mut criterion = ScreenError::new(camera, self.pixels() as f32);
         if let Some(pixels) = self.silhouette_pixels {
-            criterion = criterion.with_silhouettes(at_least(pixels));
+            criterion = criterion.with_silhouettes(pixels as f32);
         }
         if let Some(Region([x, y, z, radius])) = self.region {
             let pixels = self.region_pixels.unwrap_or(self.pixels() / 10.0);
             let sphere = Sphere { center: [x, y, z].map(|x| x as f32), radius: radius as f32 };
-            criterion = criterion.with_region(sphere, at_least(pixels));
+            criterion = criterion.with_region(sphere, pixels as f32);
         }
         if let Some(Gaze(at)) = self.gaze {
             let falloff = self.gaze_falloff.unwrap_or(10.0) as f32;

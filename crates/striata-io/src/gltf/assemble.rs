@@ -87,7 +87,12 @@ pub(super) fn mesh_of(document: &GltfDocument<'_>, warnings: &mut Warnings) -> R
                 return Err(document_fault(format!("the scene shows more than {MAX_PRIMITIVES} primitives")));
             }
             if let Some(primitive) = Primitive::parse(document, at)? {
-                plan.add(document, primitive, (transform, instance.pose.clone()), instance.name)?;
+                plan.add(
+                    document,
+                    primitive,
+                    NodePlace { transform, pose: instance.pose.clone() },
+                    instance.name,
+                )?;
             }
         }
         Ok(())
@@ -119,7 +124,7 @@ pub(super) fn mesh_of_primitives<'a>(
 ) -> Result<IndexedMesh, Fault> {
     let mut plan = AssemblyPlan { other_bytes: *used_bytes, ..AssemblyPlan::default() };
     for primitive in primitives {
-        plan.add(document, primitive, (None, RestPose::default()), "")?;
+        plan.add(document, primitive, NodePlace { transform: None, pose: RestPose::default() }, "")?;
     }
     *used_bytes = plan.total_bytes();
     plan.choose_vertices(document, Unused::LeftOut)?;
@@ -165,12 +170,20 @@ impl VertexBlock<'_> {
     }
 }
 
+/// Transform and pose in which a node shows a primitive.
+struct NodePlace {
+    /// Transform to the scene, unless it is the identity.
+    pub transform: Option<Transform>,
+    /// Skin and morph targets in the rest pose.
+    pub pose: RestPose,
+}
+
 impl<'a> AssemblyPlan<'a> {
     fn add(
         &mut self,
         document: &GltfDocument<'_>,
         primitive: Primitive<'a>,
-        (transform, pose): (Option<Transform>, RestPose),
+        NodePlace { transform, pose }: NodePlace,
         name: &'a str,
     ) -> Result<(), Fault> {
         // Each group has a copy.

@@ -111,7 +111,13 @@ fn model(scene: &Scene, unit: &str) -> Result<Vec<u8>, Refusal> {
         check_finite(mesh)?;
         let materials = if has_materials { scene.primitive_materials(instance.mesh) } else { Vec::new() };
         let colors = push_colors(&mut out, mesh, &mut next_id);
-        push_object(&mut out, mesh, (next_id, scene.mesh_name(instance.mesh)), &materials, colors.as_ref());
+        push_object(
+            &mut out,
+            mesh,
+            NamedObject { id: next_id, name: scene.mesh_name(instance.mesh) },
+            &materials,
+            colors.as_ref(),
+        );
         object_of.insert(instance.mesh, next_id);
         next_id += 1;
     }
@@ -202,11 +208,19 @@ fn hex(color: [f32; 4]) -> String {
     if a == 255 { format!("#{r:02X}{g:02X}{b:02X}") } else { format!("#{r:02X}{g:02X}{b:02X}{a:02X}") }
 }
 
+/// The number and the name of an object.
+struct NamedObject<'a> {
+    /// Number in the file.
+    pub id: u32,
+    /// Name for people.
+    pub name: &'a str,
+}
+
 /// Writes a mesh as an object. Colors of vertices are written rather than materials, as they are more detailed.
 fn push_object(
     out: &mut Vec<u8>,
     mesh: &IndexedMesh,
-    (id, name): (u32, &str),
+    NamedObject { id, name }: NamedObject<'_>,
     materials: &[Option<usize>],
     colors: Option<&MeshColors>,
 ) {

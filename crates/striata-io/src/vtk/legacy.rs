@@ -90,6 +90,14 @@ pub(super) fn read(bytes: &[u8], warnings: &mut Warnings) -> Result<VtkGrid, Fau
     reader.finish()
 }
 
+/// The name of an array, and what it is used for.
+struct ArrayUse {
+    /// Name in the file.
+    pub name: String,
+    /// Its use.
+    pub role: Role,
+}
+
 impl<'a> LegacyReader<'a, '_> {
     /// Creates a fault at the current place.
     #[cold]
@@ -262,7 +270,7 @@ impl<'a> LegacyReader<'a, '_> {
             ahead.next_line();
             self.cursor = ahead;
         }
-        self.array((name, Role::Other), scalar, component_count, None)
+        self.array(ArrayUse { name, role: Role::Other }, scalar, component_count, None)
     }
 
     fn color_scalars(&mut self) -> Result<(), Fault> {
@@ -271,7 +279,12 @@ impl<'a> LegacyReader<'a, '_> {
         let count = self.tuple_count(None);
         if self.is_binary {
             self.cursor.next_line();
-            return self.array((name, Role::Other), Ok(VtkScalar::U8), component_count, None);
+            return self.array(
+                ArrayUse { name, role: Role::Other },
+                Ok(VtkScalar::U8),
+                component_count,
+                None,
+            );
         }
         let fractions = self.values(VtkScalar::F32, count, component_count)?.floats();
         let values = Values::U8(fractions.into_iter().map(|x| (x * 255.0).round() as u8).collect());
@@ -298,7 +311,7 @@ impl<'a> LegacyReader<'a, '_> {
         };
         let scalar = self.scalar_or_other()?;
         self.cursor.next_line();
-        self.array((name, role), scalar, component_count, None)
+        self.array(ArrayUse { name, role }, scalar, component_count, None)
     }
 
     fn field(&mut self) -> Result<(), Fault> {
@@ -318,7 +331,7 @@ impl<'a> LegacyReader<'a, '_> {
             let tuple_count = self.count("tuples")?;
             let scalar = self.scalar_or_other()?;
             self.cursor.next_line();
-            self.array((name, Role::Other), scalar, component_count, Some(tuple_count))?;
+            self.array(ArrayUse { name, role: Role::Other }, scalar, component_count, Some(tuple_count))?;
         }
         Ok(())
     }
@@ -334,7 +347,7 @@ impl<'a> LegacyReader<'a, '_> {
     /// Reads the values of an array, and keeps them if they belong to points or cells.
     fn array(
         &mut self,
-        (name, role): (String, Role),
+        ArrayUse { name, role }: ArrayUse,
         scalar: Result<VtkScalar, Other>,
         component_count: usize,
         tuple_count: Option<usize>,

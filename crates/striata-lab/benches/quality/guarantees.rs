@@ -7,7 +7,7 @@
 use std::io::Write;
 
 use striata::mesh::{
-    DistanceOptions, FragmentedMesh, IndexedMesh, Levels, replay_fragments, surface_distance,
+    DistanceOptions, FragmentedMesh, IndexedMesh, LevelTable, replay_fragments, surface_distance,
 };
 use striata::simplify::{
     RemovalOptions, SequenceOptions, build_welded_fragments, build_welded_sequence, certify,
@@ -59,7 +59,7 @@ fn row(
     request: &Request,
     original: &IndexedMesh,
     mesh: &FragmentedMesh,
-    levels: &Levels,
+    levels: &LevelTable,
     ratios: &mut Vec<f64>,
 ) -> Fallible<Vec<String>> {
     let diagonal = original.diagonal();

@@ -56,7 +56,7 @@ struct ComparisonReport {
     machine: String,
     meshes: Vec<MeshComparison>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    assets_summary: Vec<assets::Summary>,
+    assets_summary: Vec<assets::AssetSummary>,
     secs: f64,
 }
 

@@ -2,8 +2,8 @@
 
 use super::bars::{BarChart, Bars};
 use super::models::{Basis, ModelRow, ModelsReport, POSITION_BYTES, table, walk_table};
-use super::page::{Block, Section};
-use super::plot::{Chart, Series};
+use super::page::{PageBlock, PageSection};
+use super::plot::{Chart, PlotSeries};
 use super::scale::Scale;
 use super::walks;
 use crate::pace::Pace;
@@ -13,9 +13,9 @@ use striata_command::failure::Failure;
 ///
 /// # Errors
 /// If a chart cannot be drawn.
-pub(super) fn sections(report: &ModelsReport) -> Result<Vec<Section>, Failure> {
+pub(super) fn sections(report: &ModelsReport) -> Result<Vec<PageSection>, Failure> {
     let Basis { frames, rounds, .. } = report.basis;
-    let space = Section {
+    let space = PageSection {
         title: "Models".to_owned(),
         intro: format!(
             "{}.{} All models are built from the same sequence, and strip models from the same strips; \
@@ -31,14 +31,14 @@ pub(super) fn sections(report: &ModelsReport) -> Result<Vec<Section>, Failure> {
             report.refusals()
         ),
         blocks: vec![
-            Block::bars(&space_chart(report), "Bytes per vertex of each model")?,
-            Block::chart(&space_and_time(report), "Space against time")?,
-            Block::WideTable(table(report)),
+            PageBlock::bars(&space_chart(report), "Bytes per vertex of each model")?,
+            PageBlock::chart(&space_and_time(report), "Space against time")?,
+            PageBlock::WideTable(table(report)),
         ],
     };
     let mut sections = vec![space];
     for pace in Pace::ALL {
-        sections.push(Section {
+        sections.push(PageSection {
             title: format!("{} walk", pace.title()),
             intro: format!(
                 "{} There are {frames} frames from near to far and as many back; tables show means over \
@@ -84,7 +84,7 @@ fn space_and_time(report: &ModelsReport) -> Chart {
             (bytes, row.walk(Pace::Linear).extract_and_send_secs * 1e6)
         })
         .collect();
-    let series = report.rows.iter().zip(&points).map(|(row, &point)| Series {
+    let series = report.rows.iter().zip(&points).map(|(row, &point)| PlotSeries {
         name: row.name.to_owned(),
         points: vec![point],
         spread: Vec::new(),
@@ -98,10 +98,10 @@ fn space_and_time(report: &ModelsReport) -> Chart {
     }
 }
 
-fn walk_blocks(report: &ModelsReport, pace: Pace) -> Result<Vec<Block>, Failure> {
+fn walk_blocks(report: &ModelsReport, pace: Pace) -> Result<Vec<PageBlock>, Failure> {
     type Values = fn(&walks::WalkSeries) -> Vec<f64>;
     let chart = |y_title: &'static str, is_log: bool, only_strips: bool, values: Values| {
-        let series: Vec<Series> = report
+        let series: Vec<PlotSeries> = report
             .rows
             .iter()
             .map(|row| {
@@ -109,7 +109,7 @@ fn walk_blocks(report: &ModelsReport, pace: Pace) -> Result<Vec<Block>, Failure>
                 let points = walk.frame.iter().map(|&frame| frame as f64).zip(values(walk));
                 // A model without points still reserves its color.
                 let is_shown = row.draws_strips || !only_strips;
-                Series {
+                PlotSeries {
                     name: row.name.to_owned(),
                     points: if is_shown { points.collect() } else { Vec::new() },
                     spread: Vec::new(),
@@ -125,16 +125,16 @@ fn walk_blocks(report: &ModelsReport, pace: Pace) -> Result<Vec<Block>, Failure>
     let extraction = chart("extraction, µs", true, false, |s| in_micros(&s.extract_secs));
     let sending = chart("extraction and sending, µs", true, false, |s| in_micros(&s.extract_and_send_secs));
     let mut blocks = vec![
-        Block::chart(&extraction, "Time of extraction by frame")?,
-        Block::chart(&sending, "Time of extraction and sending by frame")?,
+        PageBlock::chart(&extraction, "Time of extraction by frame")?,
+        PageBlock::chart(&sending, "Time of extraction and sending by frame")?,
     ];
     if pace == Pace::Linear {
         let indices = chart("indices", false, false, |s| as_floats(&s.index_count));
         let strips = chart("strips", false, true, |s| as_floats(&s.strip_count));
-        blocks.push(Block::chart(&indices, "Indices by frame")?);
-        blocks.push(Block::chart(&strips, "Strips by frame")?);
+        blocks.push(PageBlock::chart(&indices, "Indices by frame")?);
+        blocks.push(PageBlock::chart(&strips, "Strips by frame")?);
     }
-    blocks.push(Block::WideTable(walk_table(report, pace)));
+    blocks.push(PageBlock::WideTable(walk_table(report, pace)));
     Ok(blocks)
 }
 

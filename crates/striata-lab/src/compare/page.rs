@@ -10,18 +10,18 @@ const TEMPLATE: &str = include_str!("page.html");
 
 /// A section of the page: a topic with charts and tables.
 #[derive(Clone, Debug)]
-pub(super) struct Section {
+pub(super) struct PageSection {
     /// Heading of the section.
     pub title: String,
     /// Introduction that explains the section.
     pub intro: String,
     /// Charts and tables; two fit next to each other on wide screens.
-    pub blocks: Vec<Block>,
+    pub blocks: Vec<PageBlock>,
 }
 
 /// A chart or a table.
 #[derive(Clone, Debug)]
-pub(super) enum Block {
+pub(super) enum PageBlock {
     /// A chart and its text alternative.
     Chart { svg: String, alt: String },
     /// Header and rows, as plain text.
@@ -30,7 +30,7 @@ pub(super) enum Block {
     WideTable(Vec<Vec<String>>),
 }
 
-impl Block {
+impl PageBlock {
     /// Draws a chart.
     ///
     /// # Errors
@@ -66,9 +66,9 @@ impl Block {
     }
 }
 
-impl Section {
+impl PageSection {
     fn to_html(&self) -> String {
-        let blocks: String = self.blocks.iter().map(Block::to_html).collect();
+        let blocks: String = self.blocks.iter().map(PageBlock::to_html).collect();
         format!(
             "<h3>{}</h3>\n<p>{}</p>\n<div class=\"blocks\">\n{blocks}</div>\n",
             escaped(&self.title),
@@ -85,7 +85,7 @@ pub(super) struct MeshPart {
     /// One-line summary of the mesh.
     pub summary: String,
     /// The sections of its measurements.
-    pub sections: Vec<Section>,
+    pub sections: Vec<PageSection>,
 }
 
 /// Renders the page, which is self-contained: it needs neither a network nor other files.
@@ -101,6 +101,6 @@ pub(super) fn render(command: &str, machine: &str, meshes: &[MeshPart]) -> Strin
 }
 
 fn mesh_to_html(mesh: &MeshPart) -> String {
-    let sections: String = mesh.sections.iter().map(Section::to_html).collect();
+    let sections: String = mesh.sections.iter().map(PageSection::to_html).collect();
     format!("<h2>{}</h2>\n<p>{}</p>\n{sections}", escaped(&mesh.name), escaped(&mesh.summary))
 }

@@ -7,7 +7,7 @@
 use serde::Serialize;
 
 use super::models::{ModelRow, ModelsReport};
-use super::page::{Block, Section};
+use super::page::{PageBlock, PageSection};
 use crate::pace::Pace;
 use striata_command::output::format_count;
 
@@ -227,8 +227,8 @@ fn digits(value: f64, unit: &str) -> String {
 }
 
 /// The page section with the same table.
-pub(super) fn section(rows: &[PaperRow]) -> Section {
-    Section {
+pub(super) fn section(rows: &[PaperRow]) -> PageSection {
+    PageSection {
         title: "Compared with the papers".to_owned(),
         intro: "What the papers published about this mesh, and what this run measured on a mesh with as \
                 many triangles. MB are 10^6 bytes, including positions at 12 bytes per vertex. Ours in \
@@ -240,6 +240,6 @@ pub(super) fn section(rows: &[PaperRow]) -> Section {
                 included; ours is extraction and sending to a buffer, which is the CPU's part, over the \
                 linear walk."
             .to_owned(),
-        blocks: vec![Block::WideTable(table(rows))],
+        blocks: vec![PageBlock::WideTable(table(rows))],
     }
 }

@@ -57,7 +57,7 @@ pub(crate) const SERIES: [(RGBColor, &str); 17] = [
 
 /// Named points, connected by a line if there are several.
 #[derive(Clone, Debug)]
-pub(super) struct Series {
+pub(super) struct PlotSeries {
     /// Name of the series.
     pub name: String,
     /// Its points from left to right.
@@ -66,7 +66,7 @@ pub(super) struct Series {
     pub spread: Vec<(f64, f64)>,
 }
 
-impl Series {
+impl PlotSeries {
     /// A series with more points is drawn as a line without marks.
     const MAX_MARKS: usize = 30;
 
@@ -87,7 +87,7 @@ pub(super) struct Chart {
     /// The vertical axis.
     pub y: Scale,
     /// The series to draw.
-    pub series: Vec<Series>,
+    pub series: Vec<PlotSeries>,
 }
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -156,8 +156,9 @@ impl Chart {
 
     /// Lists the names in a column to the right of the chart, highest lines first.
     fn list_names(&self, root: &Area<'_>) -> Result<(), Box<dyn Error + '_>> {
-        let height =
-            |series: &Series| series.points.iter().map(|&(_, y)| y).sum::<f64>() / series.points.len() as f64;
+        let height = |series: &PlotSeries| {
+            series.points.iter().map(|&(_, y)| y).sum::<f64>() / series.points.len() as f64
+        };
         let drawn = self.series.iter().zip(SERIES.iter().cycle()).filter(|(s, _)| !s.points.is_empty());
         let mut named: Vec<_> = drawn.map(|(series, (color, _))| (height(series), series, color)).collect();
         named.sort_by(|a, b| b.0.total_cmp(&a.0));
@@ -231,14 +232,14 @@ pub(super) fn style() -> String {
 mod tests {
     use super::*;
 
-    fn chart(series: Vec<Series>) -> Chart {
+    fn chart(series: Vec<PlotSeries>) -> Chart {
         let x = Scale::at(&[1.0, 3.0, 5.0]);
         Chart { x_title: "to the right", y_title: "upwards", x, y: Scale::log([2.0, 900.0]), series }
     }
 
     #[test]
     fn chart_names_its_series_and_axes_in_known_colors() {
-        let line = |name: &str, y: f64| Series {
+        let line = |name: &str, y: f64| PlotSeries {
             name: name.to_owned(),
             points: vec![(1.0, y), (3.0, y / 2.0), (5.0, y / 3.0)],
             spread: vec![(y / 2.0, y * 2.0), (y / 4.0, y), (y / 6.0, y)],
@@ -257,12 +258,12 @@ mod tests {
 
     #[test]
     fn names_of_long_lines_are_listed_from_highest_to_lowest() {
-        let line = |name: &str, y: f64| Series {
+        let line = |name: &str, y: f64| PlotSeries {
             name: name.to_owned(),
             points: (0..100).map(|i| (1.0 + f64::from(i) / 25.0, y)).collect(),
             spread: Vec::new(),
         };
-        let nothing = Series { name: "nothing".to_owned(), points: Vec::new(), spread: Vec::new() };
+        let nothing = PlotSeries { name: "nothing".to_owned(), points: Vec::new(), spread: Vec::new() };
         let svg = chart(vec![line("low", 3.0), nothing, line("high", 500.0)]).to_svg().unwrap();
         assert!(svg.find("high").unwrap() < svg.find("low").unwrap());
         assert!(!svg.contains("nothing") && !svg.contains("<circle"));

@@ -7,8 +7,8 @@ use striata::mesh::{IndexedMesh, canonical_triangles};
 use striata::strip::StripSet;
 use striata_lab::stripifiers::{join_like_tomesh, strips_of};
 
-use super::page::{Block, Section};
-use super::plot::{Chart, Series};
+use super::page::{PageBlock, PageSection};
+use super::plot::{Chart, PlotSeries};
 use super::scale::Scale;
 use striata_command::args::StripSearchArgs;
 use striata_command::failure::Failure;
@@ -144,7 +144,7 @@ pub(super) fn table(rows: &[StripifierRow]) -> Vec<Vec<String>> {
 ///
 /// # Errors
 /// If a chart cannot be drawn.
-pub(super) fn section(rows: &[StripifierRow]) -> Result<Section, Failure> {
+pub(super) fn section(rows: &[StripifierRow]) -> Result<PageSection, Failure> {
     let indices = |row: &StripifierRow| row.report.indices_per_triangle;
     let strips = |row: &StripifierRow| row.report.strip_count as f64;
     let x = Scale::log(rows.iter().map(|row| row.secs));
@@ -162,7 +162,7 @@ pub(super) fn section(rows: &[StripifierRow]) -> Result<Section, Failure> {
         y: Scale::log(rows.iter().map(strips)),
         series: series(rows, strips),
     };
-    Ok(Section {
+    Ok(PageSection {
         title: "Time against quality".to_owned(),
         intro: format!(
             "Lower and further left is better. The points of a search-based stripifier are joined by a \
@@ -172,21 +172,21 @@ pub(super) fn section(rows: &[StripifierRow]) -> Result<Section, Failure> {
              vertices, per triangle (ACMR) and per vertex (ATVR)."
         ),
         blocks: vec![
-            Block::chart(&by_indices, "Indices per triangle against time")?,
-            Block::chart(&by_strips, "Strips against time")?,
-            Block::WideTable(table(rows)),
+            PageBlock::chart(&by_indices, "Indices per triangle against time")?,
+            PageBlock::chart(&by_strips, "Strips against time")?,
+            PageBlock::WideTable(table(rows)),
         ],
     })
 }
 
 /// One series per stripifier, from the shortest to the longest time.
-fn series(rows: &[StripifierRow], value_of: impl Fn(&StripifierRow) -> f64) -> Vec<Series> {
+fn series(rows: &[StripifierRow], value_of: impl Fn(&StripifierRow) -> f64) -> Vec<PlotSeries> {
     let same = |a: &StripifierRow, b: &StripifierRow| a.report.algorithm == b.report.algorithm;
     let of_stripifier = |rows: &[StripifierRow]| {
         let mut points: Vec<(f64, f64)> = rows.iter().map(|row| (row.secs, value_of(row))).collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
         let name = rows.first().map_or(String::new(), |row| row.report.algorithm.clone());
-        Series { name, points, spread: Vec::new() }
+        PlotSeries { name, points, spread: Vec::new() }
     };
     rows.chunk_by(same).map(of_stripifier).collect()
 }

@@ -12,8 +12,8 @@ use striata::mesh::IndexedMesh;
 use striata_lab::stripifiers::Tunneling;
 use striata_lab::{Spread, cpu_secs};
 
-use super::page::{Block, Section};
-use super::plot::{Chart, Series};
+use super::page::{PageBlock, PageSection};
+use super::plot::{Chart, PlotSeries};
 use super::scale::Scale;
 use striata_command::failure::Failure;
 use striata_command::output::format_count;
@@ -153,7 +153,7 @@ fn tenths(value: f64) -> String {
 ///
 /// # Errors
 /// If the chart cannot be drawn.
-pub(super) fn section(rows: &[TunnelRow]) -> Result<Section, Failure> {
+pub(super) fn section(rows: &[TunnelRow]) -> Result<PageSection, Failure> {
     let mut names: Vec<&'static str> = Vec::new();
     rows.iter().for_each(|row| {
         if !names.contains(&row.search) {
@@ -163,7 +163,7 @@ pub(super) fn section(rows: &[TunnelRow]) -> Result<Section, Failure> {
     let of = |search: &'static str| rows.iter().filter(move |row| row.search == search);
     let lengths: Vec<f64> =
         names.first().map_or_else(Vec::new, |&name| of(name).map(|row| f64::from(row.max_length)).collect());
-    let series = names.iter().map(|&name| Series {
+    let series = names.iter().map(|&name| PlotSeries {
         name: name.to_owned(),
         points: of(name).map(|row| (f64::from(row.max_length), row.mean)).collect(),
         spread: of(name).map(|row| (row.min as f64, row.max as f64)).collect(),
@@ -176,7 +176,7 @@ pub(super) fn section(rows: &[TunnelRow]) -> Result<Section, Failure> {
         series: series.collect(),
     };
     let seeds = rows.first().map_or(0, |row| row.seeds);
-    Ok(Section {
+    Ok(PageSection {
         title: "Strips by the longest tunnel".to_owned(),
         intro: format!(
             "Tunneling from scratch with {seeds} seeds at each length: the line is the mean, the band \
@@ -184,7 +184,10 @@ pub(super) fn section(rows: &[TunnelRow]) -> Result<Section, Failure> {
              sample, the range, and the CPU seconds of a run. {}",
             Tunneling::LEGEND
         ),
-        blocks: vec![Block::chart(&chart, "Strips against the longest tunnel")?, Block::Table(table(rows))],
+        blocks: vec![
+            PageBlock::chart(&chart, "Strips against the longest tunnel")?,
+            PageBlock::Table(table(rows)),
+        ],
     })
 }
 

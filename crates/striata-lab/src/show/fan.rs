@@ -7,13 +7,13 @@ use striata::simplify::{SequenceOptions, build_sequence};
 use striata_command::failure::Failure;
 
 use super::patch::MeshPatch;
-use super::sheet::{GRAY, LineStyle, SIZE, Sheet, TextAlign, color, panels, tint};
+use super::sheet::{FigureSheet, GRAY, LineStyle, SIZE, TextAlign, color, panels, tint};
 
 /// Number of vertices whose masks are listed; there is no room for more lines.
 const LISTED: usize = 2;
 
 /// Draws the picture; returns whether there is a fan that a step changes.
-pub(super) fn draw(patch: &MeshPatch, sheet: &mut Sheet) -> Result<bool, Failure> {
+pub(super) fn draw(patch: &MeshPatch, sheet: &mut FigureSheet) -> Result<bool, Failure> {
     let refinable = build_sequence(&patch.mesh, &SequenceOptions::default())?.refinable;
     let fans = Fans::build_without_bounds(&refinable);
     // The entry that says most: some arcs hold always, and few steps change the others.

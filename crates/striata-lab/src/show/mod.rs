@@ -17,7 +17,7 @@ use striata_command::output::Output;
 use striata_command::save::write_bytes;
 
 use self::patch::MeshPatch;
-use self::sheet::Sheet;
+use self::sheet::FigureSheet;
 use crate::args::{ShowArgs, Structure};
 
 #[derive(Serialize)]
@@ -46,7 +46,7 @@ pub(crate) fn run(args: &ShowArgs, output: &Output) -> Result<(), Failure> {
         Failure::user(format!("{}: its flattest {count} triangles contain no {what}", args.input.display()))
     };
     let patch = MeshPatch::of(&mesh, count as usize)?.ok_or_else(none)?;
-    let mut sheet = Sheet::default();
+    let mut sheet = FigureSheet::default();
     let is_drawn = match args.what {
         Structure::Mts => mts::draw(&patch, &mut sheet)?,
         Structure::Tunnel => tunnel::draw(&patch, &mut sheet)?,

@@ -9,7 +9,7 @@ use striata_command::failure::Failure;
 use striata_lab::{MtsGraph, MtsNode};
 
 use super::patch::MeshPatch;
-use super::sheet::{DARK, GRAY, LineStyle, SIZE, Sheet, SheetPanel, TextAlign, color, tint};
+use super::sheet::{DARK, FigureSheet, GRAY, LineStyle, SIZE, SheetPanel, TextAlign, color, tint};
 
 /// Pixels of the mesh on the left.
 const MESH_WIDTH: f64 = 380.0;
@@ -23,7 +23,7 @@ const ARC_POINTS: usize = 24;
 const LISTED: usize = 5;
 
 /// Draws the picture; returns whether there is a strip.
-pub(super) fn draw(patch: &MeshPatch, sheet: &mut Sheet) -> Result<bool, Failure> {
+pub(super) fn draw(patch: &MeshPatch, sheet: &mut FigureSheet) -> Result<bool, Failure> {
     let refinable = build_sequence(&patch.mesh, &SequenceOptions::default())?.refinable;
     let strips = stripify(&refinable.mesh)?;
     let graph = MtsGraph::build(&refinable, &strips)?;
@@ -54,7 +54,7 @@ pub(super) fn draw(patch: &MeshPatch, sheet: &mut Sheet) -> Result<bool, Failure
 }
 
 /// Draws all triangles, the strip and the numbers of its vertices.
-fn draw_mesh(triangles: &[[u32; 3]], points: &[DVec2], strip: &[u32], sheet: &mut Sheet) {
+fn draw_mesh(triangles: &[[u32; 3]], points: &[DVec2], strip: &[u32], sheet: &mut FigureSheet) {
     let panel = SheetPanel::new(0.0..MESH_WIDTH, points);
     for triangle in triangles {
         sheet.outline(&panel.corners(points, triangle), LineStyle::solid(GRAY, 1));
@@ -72,7 +72,7 @@ fn draw_mesh(triangles: &[[u32; 3]], points: &[DVec2], strip: &[u32], sheet: &mu
 }
 
 /// Draws the columns, and an arc for each entry of their rows.
-fn draw_graph(graph: &MtsGraph, strip: usize, sheet: &mut Sheet) {
+fn draw_graph(graph: &MtsGraph, strip: usize, sheet: &mut FigureSheet) {
     let columns: Vec<_> = graph.columns(strip).collect();
     let spacing = (SIZE.x - MESH_WIDTH - 80.0) / (columns.len().max(2) - 1) as f64;
     let place = |column: usize| DVec2::new(MESH_WIDTH + 40.0 + spacing * column as f64, BASELINE);
@@ -113,7 +113,7 @@ fn draw_graph(graph: &MtsGraph, strip: usize, sheet: &mut Sheet) {
 }
 
 /// Draws half an ellipse, above if it leads forward; returns its apex.
-fn draw_arc(from: DVec2, to: DVec2, line: LineStyle, sheet: &mut Sheet) -> DVec2 {
+fn draw_arc(from: DVec2, to: DVec2, line: LineStyle, sheet: &mut FigureSheet) -> DVec2 {
     let center = 0.5 * (from + to);
     let half = 0.5 * (to.x - from.x);
     let height = (0.8 * half.abs()).clamp(16.0, MAX_ARC);

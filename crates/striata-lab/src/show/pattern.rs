@@ -9,10 +9,10 @@ use striata_command::failure::Failure;
 use striata_lab::baseline::LoopPatterns;
 
 use super::patch::MeshPatch;
-use super::sheet::{DARK, GRAY, LineStyle, SIZE, Sheet, SheetPanel, TextAlign, color, panels, tint};
+use super::sheet::{DARK, FigureSheet, GRAY, LineStyle, SIZE, SheetPanel, TextAlign, color, panels, tint};
 
 /// Draws the picture; returns whether there are two fragments that overlap.
-pub(super) fn draw(patch: &MeshPatch, sheet: &mut Sheet) -> Result<bool, Failure> {
+pub(super) fn draw(patch: &MeshPatch, sheet: &mut FigureSheet) -> Result<bool, Failure> {
     let mesh = build_fragments(&patch.mesh, &RemovalOptions::default())?.fragmented;
     let model = LoopPatterns::build(&mesh).map_err(|error| Failure::user(error.to_string()))?;
     let fragments = &mesh.fragments;
@@ -72,7 +72,7 @@ fn shared_faces(mesh: &FragmentedMesh, upper: u32, lower: u32) -> Vec<u32> {
     mesh.fragments.floor(upper).iter().copied().filter(|face| ceiling.contains(face)).collect()
 }
 
-fn title(panel: SheetPanel, text: String, sheet: &mut Sheet) {
+fn title(panel: SheetPanel, text: String, sheet: &mut FigureSheet) {
     sheet.text(DVec2::new(panel.middle, 490.0), text, TextAlign::Center);
 }
 
@@ -84,13 +84,13 @@ struct FragmentPicture<'a> {
 }
 
 impl FragmentPicture<'_> {
-    fn draw_level(&self, split_count: usize, sheet: &mut Sheet) {
+    fn draw_level(&self, split_count: usize, sheet: &mut FigureSheet) {
         for triangle in &replay_fragments(self.mesh, split_count).triangles {
             sheet.outline(&self.panel.corners(self.points, triangle), LineStyle::solid(GRAY, 1));
         }
     }
 
-    fn draw_faces(&self, faces: &[u32], index: usize, sheet: &mut Sheet) {
+    fn draw_faces(&self, faces: &[u32], index: usize, sheet: &mut FigureSheet) {
         for &face in faces {
             let corners =
                 self.panel.corners(self.points, &self.mesh.fragments.faces()[face as usize].corners);
@@ -99,7 +99,7 @@ impl FragmentPicture<'_> {
         }
     }
 
-    fn draw_vertices(&self, vertices: impl Iterator<Item = u32>, sheet: &mut Sheet) {
+    fn draw_vertices(&self, vertices: impl Iterator<Item = u32>, sheet: &mut FigureSheet) {
         for v in vertices {
             sheet.number(self.panel.at(self.points[v as usize]), v);
         }

@@ -68,11 +68,11 @@ enum DrawnShape {
 
 /// Shapes that are drawn, in order, in pixels.
 #[derive(Default)]
-pub(super) struct Sheet {
+pub(super) struct FigureSheet {
     shapes: Vec<DrawnShape>,
 }
 
-impl Sheet {
+impl FigureSheet {
     pub(super) fn area(&mut self, corners: &[DVec2], color: RGBColor) {
         self.shapes.push(DrawnShape::Area(corners.to_vec(), color));
     }

@@ -9,7 +9,7 @@ use striata_lab::stripifiers::{
 };
 
 use super::patch::MeshPatch;
-use super::sheet::{DARK, GRAY, LineStyle, Sheet, SheetPanel, TextAlign, color, panels, tint};
+use super::sheet::{DARK, FigureSheet, GRAY, LineStyle, SheetPanel, TextAlign, color, panels, tint};
 
 /// Lengths of tunnels that are shown, the best ones first; one link would only join two ends.
 const LENGTHS: [u32; 3] = [5, 7, 3];
@@ -19,7 +19,7 @@ const SEEDS: u64 = 100;
 const TUNNEL: usize = 5;
 
 /// Draws the picture; returns whether there is a tunnel.
-pub(super) fn draw(patch: &MeshPatch, sheet: &mut Sheet) -> Result<bool, Failure> {
+pub(super) fn draw(patch: &MeshPatch, sheet: &mut FigureSheet) -> Result<bool, Failure> {
     let mesh = &patch.mesh;
     let graph = DualGraph::of_vertices(mesh);
     let found = LENGTHS.iter().find_map(|&max_length| {
@@ -74,7 +74,7 @@ struct GraphPicture<'a> {
 
 impl GraphPicture<'_> {
     /// Draws triangles in the colors of their strips, and all links.
-    fn draw_strips(&self, sheet: &mut Sheet) {
+    fn draw_strips(&self, sheet: &mut FigureSheet) {
         for (triangle, strip) in self.mesh.triangles.iter().zip(strips_of_triangles(self.links)) {
             let corners = self.panel.corners(self.points, triangle);
             sheet.area(&corners, tint(color(if strip >= TUNNEL { strip + 1 } else { strip })));
@@ -92,7 +92,7 @@ impl GraphPicture<'_> {
         }
     }
 
-    fn draw_nodes(&self, sheet: &mut Sheet) {
+    fn draw_nodes(&self, sheet: &mut FigureSheet) {
         for triangle in 0..self.mesh.triangle_count() {
             sheet.dot(self.node(triangle), 4, DARK);
         }

@@ -24,7 +24,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use striata::mesh::IndexedMesh;
 use striata::view::Part;
 
-use crate::loaded::{LoadedPages, coarse_vertices, position_of};
+use crate::loaded::{LoadedPages, coarse_vertices};
 use crate::mesh_parts::{Triangles, appearance, gathered_layers, grouped};
 use crate::parallel::map_in_parallel;
 use crate::replaced::Replaced;
@@ -133,7 +133,7 @@ impl<'a> CutPages<'a> {
         let owned = self.loaded.page(slot).positions.len() as u32;
         for (import, place) in (owned..).zip(self.loaded.imports_of(slot)) {
             if is_kept[surface.node(import) as usize] {
-                let position = position_of(self.loaded.page(place.slot), place.vertex);
+                let position = self.loaded.page(place.slot).position_of(place.vertex);
                 messages.is_needed[place.slot as usize][position as usize].store(true, Ordering::Relaxed);
             }
         }

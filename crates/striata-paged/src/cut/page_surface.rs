@@ -10,7 +10,7 @@ use striata::view::{NormalCone, Part, Sphere};
 
 use crate::Page;
 use crate::hash::IndexHash;
-use crate::loaded::{LoadedPages, position_of};
+use crate::loaded::LoadedPages;
 
 const NONE: u32 = u32::MAX;
 
@@ -168,7 +168,7 @@ fn nodes_of(loaded: &LoadedPages<'_>, slot: u32) -> Option<Vec<u32>> {
     let mut next = page.first.len() as u32 - 1;
     for (node, place) in nodes[page.positions.len()..].iter_mut().zip(imports) {
         *node = *node_of
-            .entry((place.slot, position_of(loaded.page(place.slot), place.vertex)))
+            .entry((place.slot, loaded.page(place.slot).position_of(place.vertex)))
             .or_insert_with(|| {
                 next += 1;
                 next - 1

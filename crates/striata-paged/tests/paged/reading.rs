@@ -1,6 +1,9 @@
 //! One mesh with levels, whatever is read.
 
+use striata::Target;
+use striata::levels::Levels as _;
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Random, Semantic, replay};
+use striata::view::DetailBox;
 use striata_io::WriteOptions;
 use striata_paged::build::{BuildInput, BuildOptions};
 use striata_paged::{Assembled, CutPages, Page, assemble};
@@ -221,4 +224,34 @@ fn data_of_triangles_and_doubles_survive() {
             assert_eq!(data.len(), cut.mesh.triangle_count(), "{limit}");
         }
     }
+}
+
+#[test]
+fn a_paged_file_is_a_source_of_levels() {
+    let folder = TempDir::new().unwrap();
+    let mut file = open(&build(&folder, BuildInput::Terrain(60), options(), 1));
+    let all = full(&mut file).refinable;
+    striata_testing::levels::check_levels(&mut file, &|split_count| replay(&all, split_count));
+    striata_testing::levels::check_views(&mut file);
+    let metadata = file.metadata().clone();
+    let middle = [0, 1, 2].map(|axis| f32::midpoint(metadata.min[axis], metadata.max[axis]));
+    let corner = DetailBox { min: metadata.min, max: middle, error_outside: f32::INFINITY };
+    let coarse = file.find_for_box(&corner, None).unwrap().unwrap();
+    let limit = usize::midpoint(coarse.triangle_count, metadata.triangle_count as usize);
+    let within = file.find_for_box(&corner, Some(limit)).unwrap().unwrap();
+    assert!(coarse.triangle_count < within.triangle_count && within.triangle_count <= limit);
+}
+
+#[test]
+fn a_level_reads_the_pages_that_it_needs() {
+    let folder = TempDir::new().unwrap();
+    let path = build(&folder, BuildInput::Terrain(150), options(), 1);
+    let mut file = open(&path);
+    let coarse = file.find(Target::Triangles(500)).unwrap();
+    let read = file.statistics().page_count;
+    assert!(read < u64::from(file.reader().page_count()));
+    // A finer level is not made of the pages of the coarse one.
+    let finer = file.find(Target::Triangles(5000)).unwrap();
+    assert!(finer.triangle_count > 4500 && file.statistics().page_count > read);
+    assert_eq!(open(&path).find(Target::Triangles(500)).unwrap().shape, coarse.shape);
 }

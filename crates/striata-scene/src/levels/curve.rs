@@ -73,7 +73,7 @@ impl<'m> Lengths<'m> {
 }
 
 /// Triangles around each position, as lists of corners (3 * triangle + index).
-struct CornerStars {
+struct MeshCorners {
     corners: Vec<[u32; 3]>,
     position_of: Vec<u32>,
     head: Vec<u32>,
@@ -81,7 +81,7 @@ struct CornerStars {
     next: Vec<u32>,
 }
 
-impl CornerStars {
+impl MeshCorners {
     fn new(lod: &Lod, triangles: &[[u32; 3]]) -> Self {
         let positions = lod.sequence().positions();
         let corners = triangles.to_vec();
@@ -189,7 +189,7 @@ fn measured_sums(lod: &Lod, triangles: &[[u32; 3]]) -> Vec<(usize, f64)> {
 fn single_errors(lod: &Lod, triangles: &[[u32; 3]], diagonal: f64) -> Vec<[f64; 2]> {
     let (mesh, sequence) = (lod.mesh(), lod.sequence());
     let lengths = Lengths::of(mesh, diagonal);
-    let mut stars = CornerStars::new(lod, triangles);
+    let mut stars = MeshCorners::new(lod, triangles);
     let mut star = Vec::new();
     let point = |vertex: u32| DVec3::from_array(mesh.positions[vertex as usize].map(f64::from));
     // Area of the original surface that each position stands for.

@@ -4,14 +4,14 @@ use std::cmp::Reverse;
 use std::collections::binary_heap::PeekMut;
 use std::collections::{BTreeMap, BinaryHeap};
 
-use striata::mesh::Levels;
+use striata::mesh::LevelTable;
 
 use super::weight::MeshWeight;
 
 /// Levels of one mesh.
 #[derive(Clone, Debug)]
 pub(super) struct MeshLevels {
-    pub levels: Levels,
+    pub levels: LevelTable,
     pub weight: MeshWeight,
 }
 

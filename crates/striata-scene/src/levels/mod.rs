@@ -15,9 +15,10 @@ use std::collections::BTreeMap;
 
 mod curve;
 mod mesh_levels;
+mod source;
 mod weight;
 
-use striata::mesh::Levels;
+use striata::mesh::{LevelTable, steps_for_detail};
 use striata::simplify::StopReason;
 use striata::{Lod, Target};
 use striata_io::SceneInstance;
@@ -73,7 +74,7 @@ impl SceneLevels {
     ///
     /// Weights that are missing at the end of the list are [`MeshWeight::default`]. A scale or importance that is
     /// not a positive number counts as 1.
-    pub fn new(meshes: &[Option<&Levels>], weights: &[MeshWeight]) -> Self {
+    pub fn new(meshes: &[Option<&LevelTable>], weights: &[MeshWeight]) -> Self {
         Self::merged(meshes, weights, |_, _| Vec::new())
     }
 
@@ -97,7 +98,7 @@ impl SceneLevels {
 
     /// `prices_of` returns the keys of the steps of a mesh, given its scale; errors are the keys if there are none.
     fn merged(
-        meshes: &[Option<&Levels>],
+        meshes: &[Option<&LevelTable>],
         weights: &[MeshWeight],
         prices_of: impl Fn(usize, f64) -> Vec<f64>,
     ) -> Self {
@@ -107,8 +108,10 @@ impl SceneLevels {
             let importance = SceneInstance::usable_importance(weight.importance).unwrap_or(1.0);
             MeshWeight { scale: if is_scale { weight.scale } else { 1.0 }, importance, ..weight }
         };
-        let with_weight =
-            |(mesh, levels): (usize, &Levels)| MeshLevels { levels: levels.clone(), weight: weight_of(mesh) };
+        let with_weight = |(mesh, levels): (usize, &LevelTable)| MeshLevels {
+            levels: levels.clone(),
+            weight: weight_of(mesh),
+        };
         let meshes: Vec<Option<MeshLevels>> =
             meshes.iter().enumerate().map(|(mesh, levels)| Some(with_weight((mesh, (*levels)?)))).collect();
         let first_of = first_meshes(&meshes);
@@ -193,9 +196,7 @@ impl SceneLevels {
                 (self.splits_for_error(error), error < 0.0, is_below_base)
             }
             Target::Detail(detail) => {
-                // The small term keeps `k / step_count` from rounding down to `k - 1`.
-                let exact = detail.clamp(0.0, 1.0) * step_count as f64;
-                let split_count = ((exact + 1e-9 * exact.max(1.0)) as usize).min(step_count);
+                let split_count = steps_for_detail(detail, step_count);
                 (self.splits_after(step_count - split_count), detail > 1.0, detail < 0.0)
             }
             Target::SplitCount(n) => {

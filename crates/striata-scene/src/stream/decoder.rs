@@ -9,7 +9,7 @@ use striata_stream::{StreamDecoder, StreamUpdate};
 use super::SceneStreamError;
 use super::head::{MeshEntry, SceneHead};
 use super::images::ReceivedImage;
-use super::packet::{HEADER_BYTES, Header, PacketHead, PacketKind, read_header};
+use super::packet::{HEADER_BYTES, PacketHead, PacketHeader, PacketKind, read_header};
 use super::prefix::{ReceivedDocument, check_head, prefix_document, prefix_scene};
 use super::received::{Received, ReceivedMesh};
 
@@ -54,7 +54,7 @@ pub struct SceneStreamDecoder {
     /// Number of bytes of the packets that were read, with the header of the stream.
     read: u64,
     /// The header of the stream, once it has arrived.
-    header: Option<Header>,
+    header: Option<PacketHeader>,
     received: Option<Box<Received>>,
     /// Whether decoding has ended, by an error or by [`finish`](Self::finish).
     is_over: bool,

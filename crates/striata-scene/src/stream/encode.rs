@@ -159,8 +159,13 @@ fn encode_meshes(
         let encoded: Option<&MeshStream> = if is_copy { streams[*first].as_ref() } else { None };
         let (bytes, info) = match encoded {
             Some(stream) => (stream.bytes.clone(), stream.info.clone()),
-            None => encode_mesh(&simplifier, (index, mesh), (&own, &options.batches), &mut within)
-                .map_err(|error| error.in_mesh(index))?,
+            None => encode_mesh(
+                &simplifier,
+                NumberedMesh { index, mesh },
+                StreamSettings { options: &own, batches: &options.batches },
+                &mut within,
+            )
+            .map_err(|error| error.in_mesh(index))?,
         };
         streams.push(Some(MeshStream { bytes, info, scale }));
         done += mesh.triangle_count() as u64;
@@ -189,10 +194,26 @@ impl MeshFault {
     }
 }
 
+/// A mesh of a scene, and its number there.
+struct NumberedMesh<'a> {
+    /// Number of the mesh.
+    pub index: usize,
+    /// The mesh.
+    pub mesh: &'a IndexedMesh,
+}
+
+/// How the steps of a mesh are found and coded.
+struct StreamSettings<'a> {
+    /// How they are coded.
+    pub options: &'a StreamOptions,
+    /// How they are found.
+    pub batches: &'a BatchOptions,
+}
+
 fn encode_mesh(
     simplifier: &MeshSimplifier<'_>,
-    (index, mesh): (usize, &IndexedMesh),
-    (options, batches): (&StreamOptions, &BatchOptions),
+    NumberedMesh { index, mesh }: NumberedMesh<'_>,
+    StreamSettings { options, batches }: StreamSettings<'_>,
     progress: &mut ProgressFn<'_>,
 ) -> Result<(Vec<u8>, StreamInfo), MeshFault> {
     let mut batches = batches.clone();

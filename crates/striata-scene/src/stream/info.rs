@@ -2,7 +2,7 @@
 
 use super::SceneStreamError;
 use super::head::{ImageEntry, MeshEntry, SceneHead};
-use super::packet::{HEADER_BYTES, Header, PacketHead, PacketKind, read_header};
+use super::packet::{HEADER_BYTES, PacketHead, PacketHeader, PacketKind, read_header};
 
 /// Counts and sizes of a scene stream, read without decoding meshes or images.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -66,7 +66,9 @@ impl SceneStreamInfo {
     /// # Errors
     /// [`SceneStreamError`] if the bytes are not a scene stream of a known version, or the packet is damaged.
     pub fn read(bytes: &[u8]) -> Result<Option<Self>, SceneStreamError> {
-        let Some(Header { version, length: stream_bytes }) = read_header(bytes)? else { return Ok(None) };
+        let Some(PacketHeader { version, length: stream_bytes }) = read_header(bytes)? else {
+            return Ok(None);
+        };
         let (offset, bytes) = (HEADER_BYTES as u64, &bytes[HEADER_BYTES..]);
         let Some(packet) = PacketHead::read(bytes, offset)? else { return Ok(None) };
         if packet.kind != PacketKind::Document {

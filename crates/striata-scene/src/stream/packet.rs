@@ -48,7 +48,7 @@ pub(super) struct PacketHead {
 
 /// Version and length in the header of a stream.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Header {
+pub(super) struct PacketHeader {
     pub version: u8,
     /// Length of the whole stream, bytes.
     pub length: u64,
@@ -68,7 +68,7 @@ pub(super) fn end(out: &mut [u8]) {
 }
 
 /// Reads the header; [`None`] if there are too few bytes.
-pub(super) fn read_header(bytes: &[u8]) -> Result<Option<Header>, SceneStreamError> {
+pub(super) fn read_header(bytes: &[u8]) -> Result<Option<PacketHeader>, SceneStreamError> {
     let shown = bytes.len().min(4);
     if bytes[..shown] != SCENE_STREAM_MAGIC[..shown] {
         return Err(SceneStreamError::Magic { found: bytes[..bytes.len().min(8)].to_vec() });
@@ -83,7 +83,7 @@ pub(super) fn read_header(bytes: &[u8]) -> Result<Option<Header>, SceneStreamErr
         let reason = "reserved bytes of the header are not zero".to_owned();
         return Err(SceneStreamError::Packet { offset: 5, reason });
     }
-    Ok(Some(Header { version, length: u64::from_le_bytes([a, b, c, d, e, f, g, h]) }))
+    Ok(Some(PacketHeader { version, length: u64::from_le_bytes([a, b, c, d, e, f, g, h]) }))
 }
 
 /// Appends a packet.

@@ -70,6 +70,14 @@ pub(super) struct ConnectivityModel {
     recent_flags: usize,
 }
 
+/// The vertex that is split, and the corners of its star.
+pub(super) struct SplitStar<'a> {
+    /// The vertex.
+    pub vertex: u32,
+    /// Corners of its triangles.
+    pub corners: &'a [u32],
+}
+
 impl ConnectivityModel {
     pub(super) fn new() -> Self {
         Self {
@@ -106,7 +114,7 @@ impl ConnectivityModel {
         &mut self,
         coder: &mut C,
         split_context: &SplitContext<'_>,
-        (vertex, corners): (u32, &[u32]),
+        SplitStar { vertex, corners }: SplitStar<'_>,
         actual: Option<Cut>,
     ) -> Option<Cut> {
         let vertex_history = self.history.of(vertex);
@@ -122,14 +130,16 @@ impl ConnectivityModel {
                 return None;
             }
             self.examine(split_context, vertex, corners, vertex_history);
-            return self.code_examined_cut(coder, split_context, (vertex, corners), actual);
+            return self.code_examined_cut(coder, split_context, SplitStar { vertex, corners }, actual);
         }
         self.examine(split_context, vertex, corners, vertex_history);
         let splits =
             self.cuts.run_count() > 0 && self.code_flag(coder, vertex, vertex_history, actual.is_some());
         self.prefilter[filter].update(splits);
         self.history.record_flag(vertex, self.ring.density, splits);
-        splits.then(|| self.code_examined_cut(coder, split_context, (vertex, corners), actual)).flatten()
+        splits
+            .then(|| self.code_examined_cut(coder, split_context, SplitStar { vertex, corners }, actual))
+            .flatten()
     }
 
     /// Returns the prefilter context of a vertex.
@@ -147,7 +157,7 @@ impl ConnectivityModel {
         &mut self,
         coder: &mut C,
         split_context: &SplitContext<'_>,
-        (vertex, corners): (u32, &[u32]),
+        SplitStar { vertex, corners }: SplitStar<'_>,
         actual: Option<Cut>,
     ) -> Option<Cut> {
         let (first, length) = self.code_run(coder, split_context, corners, actual)?;

@@ -63,6 +63,14 @@ enum QuickCuts {
     Learned(Box<LearnedCuts>),
 }
 
+/// A split, and its cut for an encoder.
+pub(crate) struct CutOfSplit {
+    /// Number of the split.
+    pub split: usize,
+    /// The cut, if it is known.
+    pub actual: Option<Cut>,
+}
+
 impl QuickModel {
     /// Creates an untrained model, and counts the triangles around each vertex of the base.
     pub(crate) fn new(surface: &Surface, effort: Effort) -> Self {
@@ -182,7 +190,7 @@ impl QuickModel {
         &mut self,
         coder: &mut C,
         split_context: &SplitContext<'_>,
-        (split, actual): (usize, Option<Cut>),
+        CutOfSplit { split, actual }: CutOfSplit,
         patch: &mut Vec<u32>,
     ) -> bool {
         let n = self.rings.of(split).len();

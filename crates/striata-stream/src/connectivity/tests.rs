@@ -53,8 +53,8 @@ impl TestRefiner {
             let split_context = SplitContext { surface, grid_points, walk, max_patch: MAX_PATCH };
             let actual = choose(&split_context, vertex);
             self.corners = self.surface.ring(vertex).collect();
-            let ring = (vertex, self.corners.as_slice());
-            let cut = self.model.code(coder, &split_context, ring, actual);
+            let star = SplitStar { vertex, corners: self.corners.as_slice() };
+            let cut = self.model.code(coder, &split_context, star, actual);
             self.walk.record_visit(vertex, cut.is_some());
             self.visited_count += 1;
             for corner in cut.into_iter().flat_map(|cut| run(&self.surface, cut)).collect::<Vec<_>>() {

@@ -30,6 +30,14 @@ struct Context {
     second: [AdaptiveBit; LARGE as usize + 1],
 }
 
+/// The context of a number, and how many values it has.
+struct NumberContext {
+    /// Index of the context.
+    pub context: usize,
+    /// Number of values.
+    pub size: u32,
+}
+
 impl QuickNumber {
     /// Creates an untrained model with `context_count` contexts.
     pub fn new(context_count: usize, rate: Rate) -> Self {
@@ -46,7 +54,7 @@ impl QuickNumber {
             return 0;
         }
         let signed = value.unsigned_abs() << 1 | u64::from(value < 0);
-        let (magnitude, sign) = self.below(coder, (context, size), signed, 1);
+        let (magnitude, sign) = self.below(coder, NumberContext { context, size }, signed, 1);
         if sign == 0 { magnitude as i64 } else { -(magnitude as i64) }
     }
 
@@ -54,7 +62,7 @@ impl QuickNumber {
     #[inline]
     pub fn unsigned<C: Coder>(&mut self, coder: &mut C, context: usize, value: u64) -> u64 {
         let size = self.size(coder, context, value);
-        if size == 0 { 0 } else { self.below(coder, (context, size), value, 0).0 }
+        if size == 0 { 0 } else { self.below(coder, NumberContext { context, size }, value, 0).0 }
     }
 
     /// Codes the number of significant bits.
@@ -76,7 +84,7 @@ impl QuickNumber {
     fn below<C: Coder>(
         &mut self,
         coder: &mut C,
-        (context, size): (usize, u32),
+        NumberContext { context, size }: NumberContext,
         value: u64,
         extra: u32,
     ) -> (u64, u64) {

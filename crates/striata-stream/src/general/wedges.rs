@@ -51,6 +51,22 @@ enum ChoiceKind {
     Target,
 }
 
+/// The wedge of a corner, and the one that it collapses to.
+struct CodedWedge {
+    /// The wedge, for an encoder.
+    pub actual_wedge: u32,
+    /// The position that it belongs to.
+    pub target: u32,
+}
+
+/// The mesh, and how many wedges it may still get.
+struct WedgeRoom<'a> {
+    /// The mesh so far.
+    pub growth: &'a GrowingMesh,
+    /// Most wedges that may be added.
+    pub max_extra_wedges: u64,
+}
+
 impl GeneralWedgeModel {
     /// Creates an untrained model.
     pub(super) fn new() -> Self {
@@ -105,14 +121,14 @@ impl GeneralWedgeModel {
             let corner = out.fan[at];
             let target = growth.triangles[corner as usize / 3][corner as usize % 3];
             let actual_wedge = actual.and_then(|step| step.wedge_at(corner)).unwrap_or(NONE);
-            previous = self.code_wedge(coder, (actual_wedge, target), previous, out);
+            previous = self.code_wedge(coder, CodedWedge { actual_wedge, target }, previous, out);
             out.wedges.push(previous);
         }
         for at in 0..out.new_triangles.len() {
             let actual_triangle = actual.map(|step| step.new_triangles[out.reference_triangles[at]]);
             self.code_triangle(coder, (complex, growth), (actual_triangle, at), (out, wedges));
         }
-        self.code_unused_wedges(coder, (growth, max_extra_wedges), actual, out);
+        self.code_unused_wedges(coder, WedgeRoom { growth, max_extra_wedges }, actual, out);
     }
 
     /// Codes the wedge of a corner whose vertex is `target` before the step: the wedge of the previous
@@ -120,7 +136,7 @@ impl GeneralWedgeModel {
     fn code_wedge<C: Coder>(
         &mut self,
         coder: &mut C,
-        (actual_wedge, target): (u32, u32),
+        CodedWedge { actual_wedge, target }: CodedWedge,
         previous: u32,
         out: &mut CodedStep,
     ) -> u32 {
@@ -190,7 +206,7 @@ impl GeneralWedgeModel {
         out.others.push([split, third]);
         let previous = out.wedges.last().copied().unwrap_or(NONE);
         let actual_wedge = actual_triangle.map_or(NONE, |triangle| triangle.wedge);
-        let wedge = self.code_wedge(coder, (actual_wedge, split), previous, out);
+        let wedge = self.code_wedge(coder, CodedWedge { actual_wedge, target: split }, previous, out);
         out.wedges.push(wedge);
         let last = out.groups.last().copied().or(growth.groups.last().copied());
         let choices = ([group, last, None], 0..growth.group_count.max(1));
@@ -206,7 +222,7 @@ impl GeneralWedgeModel {
     fn code_unused_wedges<C: Coder>(
         &mut self,
         coder: &mut C,
-        (growth, max_extra_wedges): (&GrowingMesh, u64),
+        WedgeRoom { growth, max_extra_wedges }: WedgeRoom<'_>,
         actual: Option<&ReferenceStep>,
         out: &mut CodedStep,
     ) {

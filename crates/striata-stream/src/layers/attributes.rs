@@ -93,6 +93,22 @@ pub(crate) fn actual_layers(
     input.map(|input| (input.layers(), vertex(input)))
 }
 
+/// Neighbors and position of a vertex of the base mesh.
+pub(crate) struct BasePlace<'a> {
+    /// Neighbors of all vertices of the base mesh.
+    pub neighborhoods: &'a BaseNeighborhoods<'a>,
+    /// Its position on the grid.
+    pub grid_point: [i32; 3],
+}
+
+/// A vertex, and its number among the wedges of its position.
+pub(crate) struct WedgeOfVertex {
+    /// Index of the vertex.
+    pub vertex: u32,
+    /// Its number among the wedges.
+    pub wedge: u32,
+}
+
 impl Attributes {
     /// Creates layers without vertices, or `None` if there are no layers.
     pub(crate) fn new(forms: &[LayerForm], effort: Effort) -> Option<Self> {
@@ -121,8 +137,8 @@ impl Attributes {
     pub(crate) fn base_vertex<C: Coder>(
         &mut self,
         coder: &mut C,
-        (neighborhoods, grid_point): (&BaseNeighborhoods<'_>, [i32; 3]),
-        (vertex, wedge): (u32, u32),
+        BasePlace { neighborhoods, grid_point }: BasePlace<'_>,
+        WedgeOfVertex { vertex, wedge }: WedgeOfVertex,
         actual: Actual<'_>,
     ) {
         let before = vertex.checked_sub(1);

@@ -259,6 +259,14 @@ impl DirectionPrediction {
     }
 }
 
+/// Neighbors and surface normal, from which a direction is predicted.
+pub(crate) struct DirectionPlace<'a> {
+    /// Values of its neighbors.
+    pub neighborhood: &'a LayerNeighborhood<'a>,
+    /// Normal of the surface.
+    pub geometric: [i64; 3],
+}
+
 impl DirectionModel {
     /// Creates an untrained model for integers with this number of bits.
     pub(crate) fn new(bits: u32, has_sign: bool, effort: Effort) -> Self {
@@ -283,7 +291,7 @@ impl DirectionModel {
         &mut self,
         coder: &mut C,
         values: &mut LayerValues,
-        (neighborhood, geometric): (&LayerNeighborhood<'_>, [i64; 3]),
+        DirectionPlace { neighborhood, geometric }: DirectionPlace<'_>,
         actual: Option<&[i32]>,
     ) {
         if let Some(vertex) = self.history.code_copy(coder, values, neighborhood, actual) {

@@ -12,10 +12,10 @@ use striata::mesh::Semantic;
 
 use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Part, Rate};
 use crate::format::effort::Effort;
-use crate::layers::direction_model::DirectionModel;
+use crate::layers::direction_model::{DirectionModel, DirectionPlace};
 use crate::layers::form::{LayerForm, ValueTransform};
 use crate::layers::layer_neighborhood::{LayerNeighborhood, LayerValues};
-use crate::layers::number_model::{NumberModel, predict_number, predict_weight};
+use crate::layers::number_model::{NumberModel, NumberPlace, predict_number, predict_weight};
 use crate::layers::tangents::TangentSources;
 
 /// Models of all layers of a stream.
@@ -82,26 +82,37 @@ impl LayerModel {
             let own_actual = actual.map(|(layers, vertex)| layers[index].of(vertex));
             let mut own = std::mem::take(&mut values[index]);
             match &mut self.layers[index] {
-                OneLayer::Directions(model) => {
-                    model.code(coder, &mut own, (neighborhood, neighborhood.fit.normal), own_actual)
-                }
+                OneLayer::Directions(model) => model.code(
+                    coder,
+                    &mut own,
+                    DirectionPlace { neighborhood, geometric: neighborhood.fit.normal },
+                    own_actual,
+                ),
                 OneLayer::Tangents(model, sources) => {
                     let vertex = own.vertex_count() as u32;
                     let tangent =
                         sources.as_ref().map(|sources| sources.tangent(values, neighborhood, vertex));
-                    model.code(coder, &mut own, (neighborhood, tangent.unwrap_or_default()), own_actual);
+                    model.code(
+                        coder,
+                        &mut own,
+                        DirectionPlace { neighborhood, geometric: tangent.unwrap_or_default() },
+                        own_actual,
+                    );
                 }
                 OneLayer::Labels(model) => model.code(coder, &mut own, neighborhood, own_actual),
                 OneLayer::Numbers(model) => {
-                    model.code(coder, &mut own, (neighborhood, own_actual), |own, coded| {
-                        predict_number(own, neighborhood, coded.len())
-                    });
+                    model.code(
+                        coder,
+                        &mut own,
+                        NumberPlace { neighborhood, actual: own_actual },
+                        |own, coded| predict_number(own, neighborhood, coded.len()),
+                    );
                 }
                 OneLayer::Weights(model, joints) => {
                     let joints = &values[*joints];
                     let predict =
                         |own: &LayerValues, coded: &[i32]| predict_weight(own, joints, neighborhood, coded);
-                    model.code(coder, &mut own, (neighborhood, own_actual), predict);
+                    model.code(coder, &mut own, NumberPlace { neighborhood, actual: own_actual }, predict);
                 }
             }
             values[index] = own;

@@ -109,6 +109,14 @@ pub(crate) struct NumberModel {
     coded: Vec<i32>,
 }
 
+/// Neighbors, from which the values at a vertex are predicted, and the values for an encoder.
+pub(crate) struct NumberPlace<'a> {
+    /// Values of its neighbors.
+    pub neighborhood: &'a LayerNeighborhood<'a>,
+    /// The values, if they are known.
+    pub actual: Option<&'a [i32]>,
+}
+
 impl NumberModel {
     /// Creates an untrained model.
     pub(crate) fn new(form: &LayerForm, effort: Effort) -> Self {
@@ -135,7 +143,7 @@ impl NumberModel {
         &mut self,
         coder: &mut C,
         values: &mut LayerValues,
-        (neighborhood, actual): (&LayerNeighborhood<'_>, Option<&[i32]>),
+        NumberPlace { neighborhood, actual }: NumberPlace<'_>,
         predict: impl Fn(&LayerValues, &[i32]) -> NumberPredictions,
     ) {
         if let Some(vertex) = self.history.code_copy(coder, values, neighborhood, actual) {

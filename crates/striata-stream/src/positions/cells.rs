@@ -87,6 +87,14 @@ pub(super) struct CellModel {
 const WIDTHS: usize = 16;
 const CHANCES: usize = 32;
 
+/// A range of grid coordinates, both ends included.
+struct GridSpan {
+    /// Smallest coordinate.
+    pub low: i32,
+    /// Largest coordinate.
+    pub high: i32,
+}
+
 impl CellModel {
     /// Creates an untrained model.
     pub(super) fn new() -> Self {
@@ -146,7 +154,7 @@ impl CellModel {
         &mut self,
         coder: &mut C,
         axis: &AxisInput<'_, 1, 1>,
-        (mut low, mut high): (i32, i32),
+        GridSpan { mut low, mut high }: GridSpan,
         actual: i32,
     ) -> i32 {
         if high - low < 2 {
@@ -324,7 +332,12 @@ impl AxisCoder<1, 1> for CellModel {
             let beyond = actual.wrapping_sub(first) as u32;
             first.wrapping_add(self.far.unsigned(coder, SIZES + axis.size, beyond) as i32)
         } else {
-            self.within(coder, axis, (ENDS[cell - 1] << step_log, ENDS[cell] << step_log), actual)
+            self.within(
+                coder,
+                axis,
+                GridSpan { low: ENDS[cell - 1] << step_log, high: ENDS[cell] << step_log },
+                actual,
+            )
         };
         axis.center.wrapping_add(off)
     }

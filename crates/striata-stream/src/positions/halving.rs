@@ -92,7 +92,7 @@ impl AxisCoder<KINDS, WIDTHS> for HalvingModel {
         let actual = actual.wrapping_sub(axis.center);
         let near = half >> NEAR_LOG;
         let masses = [axis.below(-near), axis.below(near)];
-        let off = if near > 0 && !self.is_outside(coder, axis, (near, &masses), actual) {
+        let off = if near > 0 && !self.is_outside(coder, axis, WeighedEnd { near, masses: &masses }, actual) {
             self.halve(coder, axis, Interval { half: near, masses, is_near: true }, actual)
         } else if !self.is_beyond[axis.spread].code(coder, !(-half..half).contains(&actual)) {
             let masses = [axis.below(-half), axis.below(half)];
@@ -104,6 +104,14 @@ impl AxisCoder<KINDS, WIDTHS> for HalvingModel {
     }
 }
 
+/// The near end of a range, and the masses that its contexts give.
+struct WeighedEnd<'a> {
+    /// The end.
+    pub near: i32,
+    /// Masses of the contexts.
+    pub masses: &'a [Masses<KINDS, WIDTHS>; 2],
+}
+
 impl HalvingModel {
     /// Codes whether a coordinate lies outside the near interval.
     #[inline]
@@ -111,7 +119,7 @@ impl HalvingModel {
         &mut self,
         coder: &mut C,
         axis: &AxisInput<'_, KINDS, WIDTHS>,
-        (near, masses): (i32, &[Masses<KINDS, WIDTHS>; 2]),
+        WeighedEnd { near, masses }: WeighedEnd<'_>,
         actual: i32,
     ) -> bool {
         let [all, low, high] = [&axis.all(), &masses[0], &masses[1]]

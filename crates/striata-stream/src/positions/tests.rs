@@ -12,25 +12,25 @@ use crate::topology::surface::{NONE, Surface, next};
 const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
 
 /// A closed surface and the grid coordinates of its vertices.
-struct Sample {
+struct TestSample {
     surface: Surface,
     coords: Vec<[i32; 3]>,
 }
 
-fn sample(mesh: &IndexedMesh, coords_of: impl Fn(usize) -> [i32; 3]) -> Sample {
+fn sample(mesh: &IndexedMesh, coords_of: impl Fn(usize) -> [i32; 3]) -> TestSample {
     let surface = close(&mesh.triangles, mesh.positions.len()).surface;
     let first = surface.virtual_count() as usize;
     let coords =
         (0..surface.vertex_count()).map(|v| v.checked_sub(first).map_or([0; 3], &coords_of)).collect();
-    Sample { surface, coords }
+    TestSample { surface, coords }
 }
 
 /// Quantizes a mesh to a grid with a number of steps per unit.
-fn on_grid(mesh: &IndexedMesh, steps: f32) -> Sample {
+fn on_grid(mesh: &IndexedMesh, steps: f32) -> TestSample {
     sample(mesh, |v| mesh.positions[v].map(|x| (x * steps).round() as i32))
 }
 
-fn samples() -> Vec<Sample> {
+fn samples() -> Vec<TestSample> {
     let torus = shapes::torus(40, 16, 1.0, 0.4);
     let grid = shapes::grid(20, 15);
     let mut random = Random::new(2);
@@ -48,9 +48,9 @@ fn samples() -> Vec<Sample> {
 }
 
 /// Samples that a model can code: the one that predicts ahead requires grid coordinates of at most 24 bits.
-fn samples_for(effort: Effort) -> Vec<Sample> {
+fn samples_for(effort: Effort) -> Vec<TestSample> {
     let is_on_grid =
-        |sample: &Sample| sample.coords.iter().flatten().all(|x| (-1 << 23..1 << 23).contains(x));
+        |sample: &TestSample| sample.coords.iter().flatten().all(|x| (-1 << 23..1 << 23).contains(x));
     samples().into_iter().filter(|sample| effort != Effort::Fast || is_on_grid(sample)).collect()
 }
 
@@ -66,7 +66,7 @@ fn around(neighborhood: &Neighborhood<'_>) -> Surroundings {
 }
 
 /// Codes all positions but the first few in order. `unknown` fills the positions that are not known yet.
-fn code<C: Coder>(coder: &mut C, sample: &Sample, effort: Effort, unknown: [i32; 3]) -> Vec<[i32; 3]> {
+fn code<C: Coder>(coder: &mut C, sample: &TestSample, effort: Effort, unknown: [i32; 3]) -> Vec<[i32; 3]> {
     let first = sample.surface.virtual_count() as usize + 4;
     let mut coords = sample.coords[..first].to_vec();
     coords.resize(sample.coords.len(), unknown);
@@ -88,7 +88,7 @@ fn code<C: Coder>(coder: &mut C, sample: &Sample, effort: Effort, unknown: [i32;
     coords
 }
 
-fn write(sample: &Sample, effort: Effort, unknown: [i32; 3]) -> Vec<u8> {
+fn write(sample: &TestSample, effort: Effort, unknown: [i32; 3]) -> Vec<u8> {
     let mut writer = RangeWriter::new();
     assert_eq!(code(&mut writer, sample, effort, unknown), sample.coords);
     writer.finish().0

@@ -18,7 +18,7 @@ use crate::entropy::{Coder, Part};
 use crate::format::error::StreamDefect;
 use crate::format::grid::CorrectionModel;
 use crate::general::GeneralBatches;
-use crate::layers::attributes::{Attributes, actual_layers};
+use crate::layers::attributes::{Attributes, BasePlace, WedgeOfVertex, actual_layers};
 use crate::positions::PositionModel;
 use crate::topology::surface::NONE;
 use crate::wedges::model::WedgeModel;
@@ -259,7 +259,12 @@ fn base_values<C: Coder>(
         if let Some(attributes) = &mut models.attributes {
             for (wedge, new) in (0..).zip(wedges) {
                 let actual = actual_layers(source.input(), |input| input.wedges(vertex).start + wedge);
-                attributes.base_vertex(coder, (&neighborhoods, grid_point), (new, wedge), actual);
+                attributes.base_vertex(
+                    coder,
+                    BasePlace { neighborhoods: &neighborhoods, grid_point },
+                    WedgeOfVertex { vertex: new, wedge },
+                    actual,
+                );
             }
         }
     }

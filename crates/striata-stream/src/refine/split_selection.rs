@@ -3,6 +3,8 @@
 use super::models::Connectivity;
 use super::refiner::MeshRefiner;
 use super::source::StreamSide;
+use crate::connectivity::SplitStar;
+use crate::connectivity::quick::CutOfSplit;
 use crate::entropy::Coder;
 
 impl MeshRefiner {
@@ -28,7 +30,8 @@ impl MeshRefiner {
             stretch.corners.extend(level.surface.ring(vertex));
             let split_context = level.split_context(&batch.walk, limits);
             let actual = source.input().and_then(|input| input.cut(vertex));
-            let cut = model.code(coder, &split_context, (vertex, &stretch.corners), actual);
+            let cut =
+                model.code(coder, &split_context, SplitStar { vertex, corners: &stretch.corners }, actual);
             batch.walk.record_visit(vertex, cut.is_some());
             if let Some(cut) = cut {
                 stretch.push_split(&mut level.surface, cut, batch.walk.batch());
@@ -46,7 +49,7 @@ impl MeshRefiner {
         for split in 0..model.splits().len() {
             let split_context = level.split_context(&batch.walk, limits);
             let actual = source.input().and_then(|input| input.cut(model.splits()[split]));
-            if model.cut(coder, &split_context, (split, actual), &mut stretch.patches) {
+            if model.cut(coder, &split_context, CutOfSplit { split, actual }, &mut stretch.patches) {
                 stretch.close_split(&mut level.surface, batch.walk.batch());
             }
         }

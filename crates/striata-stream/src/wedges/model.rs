@@ -106,6 +106,14 @@ impl<S: StreamSide> WedgeContext<'_, S> {
     }
 }
 
+/// A wedge that is coded, and the position that it belongs to.
+struct WedgeOfTarget {
+    /// The wedge, for an encoder.
+    pub actual: u32,
+    /// The position.
+    pub target: u32,
+}
+
 impl WedgeModel {
     /// Creates an untrained model; `vertex_count` is that of the full mesh.
     pub(crate) fn new(vertex_count: u32) -> Self {
@@ -306,9 +314,13 @@ impl WedgeModel {
                     let continues =
                         self.continues[context].code(coder, out.source_vertices[wedge as usize] == actual);
                     outcome = 1 + usize::from(continues);
-                    if continues { wedge } else { self.other_wedge(coder, (actual, old), Some(wedge), out) }
+                    if continues {
+                        wedge
+                    } else {
+                        self.other_wedge(coder, WedgeOfTarget { actual, target: old }, Some(wedge), out)
+                    }
                 }
-                _ => self.other_wedge(coder, (actual, old), None, out),
+                _ => self.other_wedge(coder, WedgeOfTarget { actual, target: old }, None, out),
             };
             out.wedges[at] = wedge;
             let ring = growth.shown(surface, previous(corner)).unwrap_or(NONE);
@@ -320,11 +332,11 @@ impl WedgeModel {
     fn other_wedge<C: Coder>(
         &mut self,
         coder: &mut C,
-        (actual, target): (u32, u32),
+        WedgeOfTarget { actual, target }: WedgeOfTarget,
         excluded: Option<u32>,
         out: &mut SplitWedges,
     ) -> u32 {
-        self.existing_wedge(coder, (actual, target), excluded, out).unwrap_or_else(|| {
+        self.existing_wedge(coder, WedgeOfTarget { actual, target }, excluded, out).unwrap_or_else(|| {
             out.targets.push(target);
             out.source_vertices.push(actual);
             let wedge = out.targets.len() as u32 - 1;
@@ -339,7 +351,7 @@ impl WedgeModel {
     fn existing_wedge<C: Coder>(
         &mut self,
         coder: &mut C,
-        (actual, target): (u32, u32),
+        WedgeOfTarget { actual, target }: WedgeOfTarget,
         excluded: Option<u32>,
         out: &SplitWedges,
     ) -> Option<u32> {
@@ -417,7 +429,7 @@ impl WedgeModel {
     fn new_corner<C: Coder>(&mut self, coder: &mut C, new: NewCorner, out: &mut SplitWedges) -> u32 {
         let NewCorner { of_end, actual, adjacent, kept } = new;
         if adjacent == NONE || out.targets[adjacent as usize] != kept {
-            return self.other_wedge(coder, (actual, kept), None, out);
+            return self.other_wedge(coder, WedgeOfTarget { actual, target: kept }, None, out);
         }
         let is_adjacent = out.source_vertices[adjacent as usize] == actual;
         let has_one_corner_at_most = self.hidden.has_one_corner_at_most(kept);
@@ -425,7 +437,7 @@ impl WedgeModel {
         if self.joins_patch[context].code(coder, is_adjacent) {
             return adjacent;
         }
-        self.other_wedge(coder, (actual, kept), Some(adjacent), out)
+        self.other_wedge(coder, WedgeOfTarget { actual, target: kept }, Some(adjacent), out)
     }
 
     /// Codes the vertex of a base triangle's corner; `last` is the last vertex coded at its position.

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::fmt::Debug;
 use std::ops::ControlFlow;
 
-use striata::mesh::{Adjacency, Edge, IndexedMesh, Levels, shapes, weld};
+use striata::mesh::{Adjacency, Edge, IndexedMesh, LevelTable, shapes, weld};
 use striata::simplify::{BoundaryRule, SeamRule, SimplifyError, StopReason, TopologyRule};
 use striata::{Cancelled, ProgressFn, ignore_progress};
 
@@ -19,7 +19,7 @@ pub use implementations::hole_fillings;
 pub struct SimplifierOutcome {
     /// The full mesh, in refinement order.
     pub full: IndexedMesh,
-    pub levels: Levels,
+    pub levels: LevelTable,
     /// Replays the level at a split count.
     pub replay: Box<dyn Fn(usize) -> IndexedMesh>,
     pub stop_reason: StopReason,

@@ -16,7 +16,7 @@ pub struct ClosedSurface {
 }
 
 /// The ring of a vertex: its neighbors, and the undirected edges between them.
-pub struct Ring {
+pub struct SurfaceRing {
     pub vertices: BTreeSet<u32>,
     pub edges: BTreeSet<[u32; 2]>,
 }
@@ -125,7 +125,7 @@ impl ClosedSurface {
     }
 
     /// Returns the ring of a vertex; panics if it is not a single cycle of distinct vertices.
-    pub fn ring(&self, v: u32) -> Ring {
+    pub fn ring(&self, v: u32) -> SurfaceRing {
         let follows: BTreeMap<u32, u32> = self.edges_around(v).collect();
         assert_eq!(follows.len(), self.edges_around(v).count(), "{v} has a neighbor twice");
         let first = *follows.keys().next().unwrap_or_else(|| panic!("{v} has lost all triangles"));
@@ -138,7 +138,7 @@ impl ClosedSurface {
         }
         assert_eq!(length, follows.len(), "{v} has several rings");
         assert!(length >= 3, "{v} has {length} triangles");
-        Ring {
+        SurfaceRing {
             vertices: follows.keys().copied().collect(),
             edges: follows.iter().map(|(&a, &b)| [a.min(b), a.max(b)]).collect(),
         }
@@ -154,9 +154,9 @@ impl ClosedSurface {
     }
 
     /// Returns the vertices and edges around a vertex, even if they do not form a ring.
-    pub fn unordered_ring(&self, v: u32) -> Ring {
+    pub fn unordered_ring(&self, v: u32) -> SurfaceRing {
         let edges: Vec<_> = self.edges_around(v).collect();
-        Ring {
+        SurfaceRing {
             vertices: edges.iter().flat_map(|&(a, b)| [a, b]).collect(),
             edges: edges.iter().map(|&(a, b)| [a.min(b), a.max(b)]).collect(),
         }

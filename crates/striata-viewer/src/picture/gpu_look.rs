@@ -26,6 +26,16 @@ pub(super) struct UploadedLook {
     pub frame: LitFrame,
 }
 
+/// The materials of a picture, and where they are seen from.
+pub(super) struct SeenLook<'a> {
+    /// Materials and lights.
+    pub look: &'a SceneLook,
+    /// The camera.
+    pub camera: &'a Camera,
+    /// Width and height, pixels.
+    pub size: [u32; 2],
+}
+
 impl LookPainter {
     pub(super) fn new(gpu: &Gpu, samples: u32) -> Self {
         Self { painter: LitPainter::new(gpu, GpuCanvas::FORMAT, samples), materials: None }
@@ -39,7 +49,7 @@ impl LookPainter {
         &mut self,
         gpu: &Gpu,
         shot: &Shot<'_>,
-        (look, camera, size): (&SceneLook, &Camera, [u32; 2]),
+        SeenLook { look, camera, size }: SeenLook<'_>,
     ) -> Result<UploadedLook, GpuError> {
         if self.materials.as_ref().is_none_or(|(id, _)| *id != look.id()) {
             self.materials = Some((look.id(), upload_materials(gpu, &self.painter, look)?));

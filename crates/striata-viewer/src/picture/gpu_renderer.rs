@@ -11,7 +11,7 @@ use striata_gpu::{
     Painter, RejectedAdapter, Scene, Shading, Viewpoint, choose_adapter,
 };
 
-use super::gpu_look::{LookPainter, UploadedLook};
+use super::gpu_look::{LookPainter, SeenLook, UploadedLook};
 use super::rendered_picture::Drawn;
 use super::shot::{LineTriangles, Paint, STONE, Shot};
 use super::{Camera, Canvas};
@@ -120,7 +120,11 @@ impl GpuRenderer {
         let uploaded = match shot.visible_look() {
             Some(scene_look) => {
                 let painter = self.look_painter.get_or_insert_with(|| LookPainter::new(&self.gpu, SAMPLES));
-                Uploaded::WithLook(painter.upload(&self.gpu, shot, (scene_look, camera, size))?)
+                Uploaded::WithLook(painter.upload(
+                    &self.gpu,
+                    shot,
+                    SeenLook { look: scene_look, camera, size },
+                )?)
             }
             None => {
                 let look = look(shot, shot.edge_opacity(camera, height), factor as f32);

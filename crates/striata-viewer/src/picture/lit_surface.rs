@@ -57,6 +57,16 @@ struct Weights {
     down: Vec3,
 }
 
+/// The ray through a pixel, and the base color where it meets the surface.
+struct RayColor {
+    /// Point that the ray begins at.
+    pub eye: Vec3,
+    /// Direction of the ray.
+    pub ray: Vec3,
+    /// Linear color.
+    pub base_color: Vec3,
+}
+
 impl<'a> LitSurface<'a> {
     /// Prepares the surface of a shot, whose vertices have these positions in camera space.
     pub(super) fn new(shot: &'a Shot<'_>, look: &'a SceneLook, positions: &'a [Vec3]) -> Self {
@@ -111,7 +121,7 @@ impl<'a> LitSurface<'a> {
             [r, g, b]
         } else {
             let ray = grid.to_world(grid.ray(pixel).map(|x| x as f32));
-            let point = self.point(triangle, &weights, grid, (eye, ray, [r, g, b]));
+            let point = self.point(triangle, &weights, grid, RayColor { eye, ray, base_color: [r, g, b] });
             shade(&point, self.lights())
         };
         let [r, g, b] = light.map(|x| if x.is_finite() { x.clamp(0.0, 1.0) * alpha } else { 0.0 });
@@ -201,7 +211,7 @@ impl<'a> LitSurface<'a> {
         triangle: usize,
         weights: &Weights,
         grid: &PixelGrid,
-        (eye, ray, base_color): (Vec3, Vec3, Vec3),
+        RayColor { eye, ray, base_color }: RayColor,
     ) -> SurfacePoint {
         let material = self.material(triangle);
         let sample = |texture: &Option<TextureUse>, is_color| {

@@ -2,7 +2,7 @@
 
 use super::canvas::from_srgb;
 use super::distance_map::color_at;
-use super::text::{Align, width, write};
+use super::text::{Align, TextStyle, width, write};
 use super::{Canvas, Rgba};
 
 /// Colors of the background and the text.
@@ -147,7 +147,7 @@ impl Sheet {
             if self.has_text && is_first {
                 let y = top as f32 + 0.56 * self.head_height() as f32;
                 for (column, panel) in panels.iter().enumerate() {
-                    let style = (self.title_size(), theme.ink);
+                    let style = TextStyle { size: self.title_size(), color: theme.ink };
                     self.write(&mut sheet, &panel.title, style, [middle(column), y]);
                 }
                 top += self.head_height();
@@ -159,7 +159,7 @@ impl Sheet {
             if self.has_text && is_last {
                 let y = top as f32 + 0.42 * self.foot_height() as f32;
                 for (column, panel) in panels.iter().enumerate() {
-                    let style = (0.74 * self.title_size(), theme.soft_ink);
+                    let style = TextStyle { size: 0.74 * self.title_size(), color: theme.soft_ink };
                     self.write(&mut sheet, &panel.caption, style, [middle(column), y]);
                 }
                 top += self.foot_height();
@@ -172,10 +172,16 @@ impl Sheet {
     }
 
     /// Writes text centered in a panel's width, smaller if it would not fit.
-    fn write(&self, sheet: &mut Canvas, text: &str, (size, color): (f32, Rgba), position: [f32; 2]) {
+    fn write(
+        &self,
+        sheet: &mut Canvas,
+        text: &str,
+        TextStyle { size, color }: TextStyle,
+        position: [f32; 2],
+    ) {
         let room = 0.88 * self.panel_size()[0] as f32;
         let size = size * (room / width(text, size).max(1.0)).min(1.0);
-        write(sheet, text, (size, color), position, Align::Middle);
+        write(sheet, text, TextStyle { size, color }, position, Align::Middle);
     }
 
     /// Font size of titles, pixels.
@@ -218,7 +224,13 @@ impl Sheet {
             }
         }
         let x = left as f32;
-        write(sheet, &bar.title, (size, theme.ink), [x, top as f32 - 1.5 * size], Align::Left);
+        write(
+            sheet,
+            &bar.title,
+            TextStyle { size, color: theme.ink },
+            [x, top as f32 - 1.5 * size],
+            Align::Left,
+        );
         let last = bar.marks.len().saturating_sub(1).max(1) as f32;
         for (index, mark) in bar.marks.iter().enumerate() {
             let y = bottom as f32 - index as f32 / last * (bottom - top) as f32;
@@ -227,7 +239,7 @@ impl Sheet {
                 sheet.tint([(left + thick) as i64 + dx, tick], theme.soft_ink, 1.0);
             }
             let position = [x + thick as f32 + 0.65 * size, y];
-            write(sheet, mark, (size, theme.ink), position, Align::Left);
+            write(sheet, mark, TextStyle { size, color: theme.ink }, position, Align::Left);
         }
     }
 }

@@ -19,9 +19,18 @@ pub(super) enum Align {
     Middle,
 }
 
+/// Size and color of a text.
+#[derive(Clone, Copy)]
+pub(super) struct TextStyle {
+    /// Height of the letters, pixels.
+    pub size: f32,
+    /// Color of the letters.
+    pub color: Rgba,
+}
+
 /// Writes a line of text with its capital letters vertically centered at the position.
-pub(super) fn write(canvas: &mut Canvas, text: &str, style: (f32, Rgba), [x, y]: [f32; 2], align: Align) {
-    let (size, color) = style;
+pub(super) fn write(canvas: &mut Canvas, text: &str, style: TextStyle, [x, y]: [f32; 2], align: Align) {
+    let TextStyle { size, color } = style;
     let Some(font) = FONT.as_ref() else { return };
     let (glyphs, width) = layout(font, text, size);
     let left = if align == Align::Middle { x - width / 2.0 } else { x };
@@ -69,7 +78,7 @@ mod tests {
     #[test]
     fn letters_are_drawn_at_the_right_position() {
         let mut canvas = Canvas::filled(120, 40, [0.0, 0.0, 0.0, 1.0]);
-        write(&mut canvas, "H", (24.0, [1.0; 4]), [60.0, 20.0], Align::Middle);
+        write(&mut canvas, "H", TextStyle { size: 24.0, color: [1.0; 4] }, [60.0, 20.0], Align::Middle);
         let inked: Vec<[usize; 2]> =
             (0..40 * 120).filter(|&i| canvas.pixels()[i][0] > 0.5).map(|i| [i % 120, i / 120]).collect();
         let middle = |k: usize| {

@@ -49,7 +49,7 @@ use striata_command::output::{Output, format_count};
 use thumbnails::Thumbnails;
 
 #[derive(Serialize)]
-struct Report {
+struct ServeReport {
     url: String,
     models: usize,
 }
@@ -157,7 +157,7 @@ fn announce(folder: &Folder, address: SocketAddr, models: usize, output: &Output
             folder.path().display()
         ));
     }
-    let report = Report { url: base_url(address), models };
+    let report = ServeReport { url: base_url(address), models };
     let what = match folder.only() {
         Some(name) => name.to_owned(),
         None => format!("{} models in {}", format_count(models), folder.path().display()),

@@ -12,7 +12,7 @@ use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, to_stdout};
 use striata_command::scene::SceneKind;
-use striata_command::stream::DecodedStream;
+use striata_stream::StreamLevels;
 
 /// Width in pixels.
 pub(super) const WIDTH: usize = 320;
@@ -101,7 +101,9 @@ fn mesh_of(input: &Input, output: &Output) -> Result<IndexedMesh, Failure> {
     let file = input.striata()?;
     if let Some(stream) = file.stream() {
         let is_enough = |decoder: &striata_stream::StreamDecoder| decoder.triangles().len() >= MAX_TRIANGLES;
-        let decoder = DecodedStream::read(stream.map_err(damaged)?, is_enough).map_err(damaged)?.decoder;
+        let mut levels = StreamLevels::new(stream.map_err(damaged)?).map_err(damaged)?;
+        levels.decode_until(is_enough).map_err(damaged)?;
+        let decoder = levels.decoder();
         return Ok(IndexedMesh::new(decoder.positions().to_vec(), decoder.triangles().to_vec()));
     }
     let levels = file.levels().map_err(damaged)?;

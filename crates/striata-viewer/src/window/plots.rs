@@ -23,13 +23,13 @@ pub(super) struct Sample {
 
 /// Measurements of the most recent frames in which the picture changed.
 #[derive(Clone, Debug, Default)]
-pub(super) struct History {
+pub(super) struct PlotHistory {
     samples: VecDeque<Sample>,
     /// Total number of frames recorded.
     frame_count: u64,
 }
 
-impl History {
+impl PlotHistory {
     /// Adds a frame, dropping the oldest if necessary.
     pub(super) fn push(&mut self, sample: Sample) {
         if self.samples.len() == MAX_SAMPLES {
@@ -56,7 +56,7 @@ impl History {
 }
 
 /// Shows the three plots one below the other.
-pub(super) fn show(ui: &mut Ui, history: &History) {
+pub(super) fn show(ui: &mut Ui, history: &PlotHistory) {
     let last = history.last().copied().unwrap_or_default();
     let frame = format!("{} · level {}", format_duration(last.frame_secs), format_duration(last.level_secs));
     let blue = Color32::from_rgb(86, 156, 255);
@@ -99,7 +99,7 @@ mod tests {
 
     #[test]
     fn only_recent_frames_are_kept_with_their_numbers() {
-        let mut history = History::default();
+        let mut history = PlotHistory::default();
         for triangle_count in 0..MAX_SAMPLES + 10 {
             history.push(Sample { triangle_count, ..Default::default() });
         }

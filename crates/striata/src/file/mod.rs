@@ -41,5 +41,14 @@ pub use writer::{
     FileModel, Section, WriteOptions, to_striata, write_fragments, write_sections, write_striata,
 };
 
+/// Metadata key and value by which a file records that its errors are guaranteed bounds.
+const GUARANTEED_ERRORS: (&str, &str) = ("errors", "guaranteed");
+
+/// Whether metadata say that errors are guaranteed bounds rather than estimates.
+pub fn metadata_has_guaranteed_errors(metadata: &[(String, String)]) -> bool {
+    let (key, value) = GUARANTEED_ERRORS;
+    metadata.iter().any(|(k, v)| k == key && v == value)
+}
+
 #[cfg(target_endian = "big")]
 compile_error!("the arrays of a .striata file are little-endian and are used in place");

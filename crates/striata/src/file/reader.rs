@@ -8,9 +8,10 @@ use std::sync::OnceLock;
 
 use super::container::{Container, Ending};
 use super::mesh_sections::{appearance_from_bytes, groups_from_bytes, layer_from_bytes};
+use super::metadata_has_guaranteed_errors;
 use super::{DecodeError, SectionInfo, SectionKind, StreamCodec, Summary, Verify};
 use crate::mesh::{
-    AttributeLayer, CollapseSequence, IndexedMesh, Levels, PositionIndex, RefinableMesh, SequenceParts,
+    AttributeLayer, CollapseSequence, IndexedMesh, LevelTable, PositionIndex, RefinableMesh, SequenceParts,
     Steps, TriangleGroup, layers_from_sorted, level_sources,
 };
 use crate::model::fans::FansParts;
@@ -226,7 +227,7 @@ impl<'a> StriataFile<'a> {
     ///
     /// # Errors
     /// [`DecodeError`] if a section is invalid.
-    pub fn levels(&self) -> Result<Levels, DecodeError> {
+    pub fn levels(&self) -> Result<LevelTable, DecodeError> {
         if let Some(steps) = self.mesh_of_stream()? {
             return Ok(steps.levels().clone());
         }
@@ -239,6 +240,14 @@ impl<'a> StriataFile<'a> {
             self.read_patterns()?.triangle_counts()
         };
         self.levels_of(counts)
+    }
+
+    /// Sizes and errors of the levels of fans that this file has, whether the steps are collapses or not.
+    ///
+    /// # Errors
+    /// [`DecodeError`] if a section is invalid.
+    pub fn levels_of_fans(&self, fans: &Fans) -> Result<LevelTable, DecodeError> {
+        self.levels_of(fans.triangle_counts())
     }
 
     /// The collapse sequence, validated and copied out of the file.
@@ -343,7 +352,26 @@ impl<'a> StriataFile<'a> {
 
     /// Whether the file has a LodStrips model.
     pub fn has_lod_strips(&self) -> bool {
-        self.has(SectionKind::RECORDS)
+        self.has_model(ModelKind::LodStrips)
+    }
+
+    /// Whether the file has a model, even if it cannot be read.
+    pub fn has_model(&self, kind: ModelKind) -> bool {
+        self.has(match kind {
+            ModelKind::LodStrips => SectionKind::RECORDS,
+            ModelKind::Mts => SectionKind::LIFETIMES,
+            ModelKind::Fans => SectionKind::FAN_ENTRIES,
+            ModelKind::Patterns => SectionKind::PATTERN_RECORDS,
+            ModelKind::Progressive => SectionKind::STREAM,
+        })
+    }
+
+    /// Whether the errors of uniform levels are guaranteed bounds, as the metadata say, rather than estimates.
+    ///
+    /// # Errors
+    /// [`DecodeError`] if the metadata are damaged.
+    pub fn has_guaranteed_errors(&self) -> Result<bool, DecodeError> {
+        Ok(metadata_has_guaranteed_errors(&self.metadata()?))
     }
 
     /// The LodStrips model, if the file has one; borrowed from the file and validated once, so that no move

@@ -2,7 +2,7 @@
 
 use super::byte_reader::{SectionReader, put_u32};
 use super::{DecodeError, SectionKind};
-use crate::mesh::{Bounds, IndexedMesh, Levels, RefinableMesh};
+use crate::mesh::{Bounds, IndexedMesh, LevelTable, RefinableMesh};
 
 /// Counts and bounds of the mesh in a file.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -37,7 +37,7 @@ impl Summary {
     }
 
     /// Summarizes a mesh with its levels.
-    pub fn of_levels(mesh: &IndexedMesh, sequence: &Levels) -> Self {
+    pub fn of_levels(mesh: &IndexedMesh, sequence: &LevelTable) -> Self {
         Self {
             vertex_count: mesh.vertex_count(),
             position_count: sequence.positions().position_count(),

@@ -7,9 +7,9 @@ use super::container::{
     ENTRY_BYTES, HEADER_BYTES, MAGIC, MAX_SECTIONS, REQUIRED, VERSION, header_checksum, padding,
 };
 use super::mesh_sections::{appearance_to_bytes, groups_to_bytes, layer_to_bytes, metadata_to_bytes};
-use super::{EncodeError, SectionKind, StoredStream, Summary};
+use super::{EncodeError, GUARANTEED_ERRORS, SectionKind, StoredStream, Summary};
 use crate::mesh::{
-    CollapseSequence, FragmentedMesh, IndexedMesh, Levels, RefinableMesh, gather_layers,
+    CollapseSequence, FragmentedMesh, IndexedMesh, LevelTable, RefinableMesh, gather_layers,
     sorted_triangle_order,
 };
 use crate::model::{
@@ -132,6 +132,16 @@ impl WriteOptions {
         self.metadata.push((key.into(), value.into()));
         self
     }
+
+    /// Records whether errors are guaranteed bounds or estimates, unless the metadata say so already: see
+    /// [`StriataFile::has_guaranteed_errors`](super::StriataFile::has_guaranteed_errors).
+    pub fn with_guaranteed_errors(self, has_guaranteed_errors: bool) -> Self {
+        let (key, value) = GUARANTEED_ERRORS;
+        if self.metadata.iter().any(|(k, _)| k == key) {
+            return self;
+        }
+        self.with_metadata(key, if has_guaranteed_errors { value } else { "estimated" })
+    }
 }
 
 /// A section that has no offset in the file yet.
@@ -201,7 +211,7 @@ pub fn write_fragments(
 #[derive(Clone, Copy)]
 struct FileSource<'m> {
     mesh: &'m IndexedMesh,
-    levels: &'m Levels,
+    levels: &'m LevelTable,
     /// `None` if vertices were removed in other ways than by collapses.
     collapses: Option<&'m CollapseSequence>,
 }

@@ -27,6 +27,7 @@
 //! ```
 
 mod level;
+mod levels;
 mod options;
 mod strip_level;
 mod tables;

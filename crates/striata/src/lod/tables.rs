@@ -9,9 +9,6 @@ use crate::strip::{StripSet, stripify};
 use crate::view::Sphere;
 use crate::{Cancelled, ProgressFn};
 
-/// Metadata key and value by which a file records that its errors are guaranteed bounds.
-const GUARANTEED_ERRORS: (&str, &str) = ("errors", "guaranteed");
-
 /// The mesh in refinement order, and each model once it is needed.
 #[derive(Debug)]
 pub(super) struct LodTables {
@@ -41,9 +38,7 @@ impl LodTables {
 
     pub(super) fn from_file(file: &StriataFile<'_>) -> Result<Self, DecodeError> {
         let refinable = file.refinable_mesh()?;
-        let (key, value) = GUARANTEED_ERRORS;
-        let has_guaranteed_errors = file.metadata()?.iter().any(|(k, v)| k == key && v == value);
-        let tables = Self::new(refinable, has_guaranteed_errors);
+        let tables = Self::new(refinable, file.has_guaranteed_errors()?);
         Ok(match file.fans() {
             Some(fans) => tables.with_fans(fans?),
             None => tables,
@@ -61,12 +56,7 @@ impl LodTables {
     }
 
     pub(super) fn to_striata(&self, options: &WriteOptions) -> Result<Vec<u8>, EncodeError> {
-        let mut options = options.clone();
-        let (key, value) = GUARANTEED_ERRORS;
-        if options.metadata.iter().all(|(k, _)| k != key) {
-            let value = if self.has_guaranteed_errors { value } else { "estimated" };
-            options = options.with_metadata(key, value);
-        }
+        let options = options.clone().with_guaranteed_errors(self.has_guaranteed_errors);
         let models: Vec<FileModel<'_>> = (built(&self.strips).map(FileModel::LodStrips).into_iter())
             .chain(built(&self.mts).map(FileModel::Mts))
             .chain([FileModel::Fans(self.fans())])

@@ -14,7 +14,7 @@ mod distance;
 mod dual_graph;
 mod fragments;
 mod indexed_mesh;
-mod levels;
+mod level_table;
 mod origin;
 mod positions;
 mod random;
@@ -46,7 +46,7 @@ pub use fragments::{
     Face, Fragment, FragmentError, FragmentSequence, FragmentedMesh, fragment_faces, replay_fragments,
 };
 pub use indexed_mesh::{Bounds, IndexedMesh, MeshError, TriangleGroup};
-pub use levels::Levels;
+pub use level_table::{LevelTable, steps_for_detail};
 pub(crate) use origin::Extent;
 pub use origin::{origin_of, relative_position};
 pub use positions::PositionIndex;

@@ -12,7 +12,7 @@
 //! ```
 
 use super::sequence_error::check_length;
-use super::{IndexedMesh, Levels, PositionIndex, SequenceError};
+use super::{IndexedMesh, LevelTable, PositionIndex, SequenceError};
 
 /// The arrays of a [`CollapseSequence`], as passed by builders and file readers.
 #[derive(Clone, Debug)]
@@ -35,7 +35,7 @@ pub struct SequenceParts {
 /// levels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CollapseSequence {
-    levels: Levels,
+    levels: LevelTable,
     targets: Vec<u32>,
     removed_triangle_counts: Vec<u8>,
 }
@@ -65,7 +65,7 @@ impl CollapseSequence {
             count += u32::from(n);
             triangle_counts.push(count);
         }
-        let levels = Levels::new(positions, base_position_count, triangle_counts, errors)?;
+        let levels = LevelTable::new(positions, base_position_count, triangle_counts, errors)?;
         let expected = levels.positions().vertex_count() - levels.base_vertex_count();
         check_length("targets", targets.len(), expected)?;
         check_targets(levels.positions(), base_position_count, &targets)?;
@@ -73,7 +73,7 @@ impl CollapseSequence {
     }
 
     /// Sizes and errors of the levels.
-    pub fn levels(&self) -> &Levels {
+    pub fn levels(&self) -> &LevelTable {
         &self.levels
     }
 

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::{FragmentedMesh, IndexedMesh, Levels, RefinableMesh, replay, replay_fragments};
+use super::{FragmentedMesh, IndexedMesh, LevelTable, RefinableMesh, replay, replay_fragments};
 
 /// A mesh in refinement order, with the steps that lead to it from its base mesh.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,7 +31,7 @@ impl Steps {
     }
 
     /// Counts and errors of all levels.
-    pub fn levels(&self) -> &Levels {
+    pub fn levels(&self) -> &LevelTable {
         match self {
             Self::Collapses(refinable) => refinable.sequence.levels(),
             Self::Fragments(fragmented) => fragmented.fragments.levels(),

@@ -61,7 +61,7 @@ pub use strip_input::check_strips;
 
 use std::ops::Range;
 
-use crate::strip::{RESTART, restart_triangles_into};
+use crate::strip::{RESTART, StripSet, restart_triangles_into};
 
 /// Size of one part of a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -218,6 +218,19 @@ pub trait StripModel: StoredModel {
     /// If the group does not exist.
     fn group_strips(&self, group: usize) -> Range<usize> {
         self.group_offsets()[group] as usize..self.group_offsets()[group + 1] as usize
+    }
+
+    /// Returns the strips that an instance shows, group by group, without those that have no triangle left.
+    fn strips_at(&self, state: &Self::State) -> StripSet {
+        let mut strips = StripSet::new();
+        for group in 0..self.group_count() {
+            for strip in self.group_strips(group) {
+                let pieces = self.strip(state, strip).split(|&index| index == RESTART);
+                pieces.filter(|piece| piece.len() >= 3).for_each(|piece| strips.push(piece));
+            }
+            strips.end_group();
+        }
+        strips
     }
 }
 

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use super::{ModelError, PackedVertices};
-use crate::mesh::{CollapseSequence, Levels, PositionIndex};
+use crate::mesh::{CollapseSequence, LevelTable, PositionIndex};
 
 /// For each step, the vertices that it restores and the targets that they collapse to.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -158,7 +158,7 @@ impl StepVertices<'static> {
     }
 
     /// Returns the vertices of the steps of `levels`, without targets.
-    pub fn of_levels(levels: &Levels) -> Self {
+    pub fn of_levels(levels: &LevelTable) -> Self {
         let positions = levels.positions();
         let firsts = &positions.first_vertices()[levels.base_position_count()..];
         let vertices = Self {

@@ -155,9 +155,8 @@ mod tests {
         strips
     }
 
-    fn again(parts: (&[u32], &[u8], &[u8]), vertex_count: usize) -> Result<StripSet, ModelError> {
-        let (groups, lengths, bytes) = parts;
-        let stored = StoredStrips::from_parts(groups.into(), lengths.into(), bytes.into(), vertex_count)?;
+    fn again(groups: &[u32], lengths: &[u8], bytes: &[u8]) -> Result<StripSet, ModelError> {
+        let stored = StoredStrips::from_parts(groups.into(), lengths.into(), bytes.into(), 5)?;
         Ok(stored.to_strip_set())
     }
 
@@ -166,7 +165,7 @@ mod tests {
         let stored = StoredStrips::pack(&strips(), 5);
         assert_eq!((stored.slots(2), stored.group_strips(2)), (4..7, 2..3));
         let bytes = stored.indices.bytes();
-        assert_eq!(again((&stored.group_offsets, &stored.lengths, bytes), 5), Ok(strips()));
+        assert_eq!(again(&stored.group_offsets, &stored.lengths, bytes), Ok(strips()));
     }
 
     #[test]
@@ -174,16 +173,16 @@ mod tests {
         let stored = StoredStrips::pack(&strips(), 5);
         let (groups, lengths, bytes) =
             (&stored.group_offsets[..], &stored.lengths[..], stored.indices.bytes());
-        assert!(matches!(again((&groups[..3], lengths, bytes), 5), Err(ModelError::Offsets(_))));
-        let too_long = again((groups, &[4, 0, 129], bytes), 5);
+        assert!(matches!(again(&groups[..3], lengths, bytes), Err(ModelError::Offsets(_))));
+        let too_long = again(groups, &[4, 0, 129], bytes);
         assert_eq!(
             too_long,
             Err(ModelError::Length { what: "indices of a strip", found: 129, expected: 128 })
         );
-        assert!(matches!(again((groups, &[4, 0, 9], bytes), 5), Err(ModelError::Length { .. })));
+        assert!(matches!(again(groups, &[4, 0, 9], bytes), Err(ModelError::Length { .. })));
         // The same bytes with indices of three bits: 5 and 6 are possible, but do not exist.
         let mut bad = bytes.to_vec();
         bad[1] = 0xff;
-        assert!(matches!(again((groups, lengths, &bad), 5), Err(ModelError::Vertex { .. })));
+        assert!(matches!(again(groups, lengths, &bad), Err(ModelError::Vertex { .. })));
     }
 }

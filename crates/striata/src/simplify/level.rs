@@ -1,6 +1,6 @@
 //! Finds the level of a sequence that a [`Target`] asks for.
 
-use crate::mesh::{CollapseSequence, Levels};
+use crate::mesh::{CollapseSequence, LevelTable};
 
 use crate::simplify::options::{StopReason, Target};
 
@@ -15,7 +15,7 @@ impl Target {
     }
 
     /// Resolves the target against the levels of any kind of sequence; see [`Self::resolve`].
-    pub fn resolve_in(&self, sequence: &Levels) -> (usize, StopReason) {
+    pub fn resolve_in(&self, sequence: &LevelTable) -> (usize, StopReason) {
         let step_count = sequence.step_count();
         let (split_count, is_above_full, is_below_base) = match *self {
             Self::Triangles(n) => (

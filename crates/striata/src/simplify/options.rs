@@ -34,6 +34,8 @@ pub enum StopReason {
     ErrorLimit,
     /// The target asks for more detail than the full mesh has.
     FullMesh,
+    /// The input is cut off before the level.
+    InputEnded,
 }
 
 impl StopReason {
@@ -44,6 +46,7 @@ impl StopReason {
             Self::BaseReached => "base_reached",
             Self::ErrorLimit => "error_limit",
             Self::FullMesh => "full_mesh",
+            Self::InputEnded => "input_ended",
         }
     }
 }

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use crate::mesh::IndexedMesh;
+
 /// Why the arrays of a [`StripSet`] are inconsistent.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
@@ -127,6 +129,23 @@ impl StripSet {
         }
     }
 
+    /// Returns the strips of a mesh over the vertices that its triangles use, as
+    /// [`without_unused_vertices`](IndexedMesh::without_unused_vertices) numbers them; [`None`] if a strip passes through
+    /// others.
+    pub fn on_used_vertices(&self, mesh: &IndexedMesh) -> Option<Self> {
+        let mut is_used = vec![false; mesh.vertex_count()];
+        mesh.triangles.iter().flatten().for_each(|&v| is_used[v as usize] = true);
+        // The remaining vertices keep their order.
+        let numbered = is_used.into_iter().scan(0, |next, is_used| {
+            let index = is_used.then_some(*next);
+            *next += u32::from(is_used);
+            Some(index)
+        });
+        let numbered: Vec<Option<u32>> = numbered.collect();
+        let indices = self.indices.iter().map(|&v| numbered[v as usize]).collect::<Option<_>>()?;
+        Some(Self { indices, ..self.clone() })
+    }
+
     /// Cuts every strip into pieces of at most `max_indices` indices.
     ///
     /// Each piece starts with the last two indices of the piece before it, at an even position, so that
@@ -182,6 +201,8 @@ pub fn strip_triangles(strip: &[u32]) -> impl Iterator<Item = [u32; 3]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mesh::{canonical_triangles, shapes};
+    use crate::strip::stripify;
 
     #[test]
     fn odd_triangles_are_swapped_and_degenerate_ones_are_left_out() {
@@ -220,5 +241,23 @@ mod tests {
         ] {
             assert!(StripSet::from_parts(vec![0, 1, 2], offsets, groups).is_err());
         }
+    }
+
+    #[test]
+    fn strips_are_renumbered_when_unused_vertices_are_removed() {
+        let mut mesh = shapes::grid(2, 1);
+        mesh.positions.insert(0, [7.0; 3]);
+        mesh.triangles.iter_mut().flatten().for_each(|v| *v += 1);
+        let strips = stripify(&mesh).expect("the mesh is consistent");
+        let (less, renumbered) = (mesh.without_unused_vertices(), strips.on_used_vertices(&mesh));
+        assert_eq!(less.vertex_count() + 1, mesh.vertex_count());
+        let mut triangles = Vec::new();
+        renumbered.expect("all of its vertices are used").triangles_into(&mut triangles);
+        assert_eq!(canonical_triangles(&triangles), canonical_triangles(&less.triangles));
+        // A strip that passes through an unused vertex cannot be kept.
+        let mut others = StripSet::new();
+        others.push(&[1, 0, 0, 2]);
+        others.end_group();
+        assert_eq!(others.on_used_vertices(&mesh), None);
     }
 }

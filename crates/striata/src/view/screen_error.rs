@@ -133,6 +133,17 @@ impl ScreenError {
         Self { pixels: self.pixels * factor, silhouette, region, ..self }
     }
 
+    /// Raises all tolerances to at least `pixels`.
+    #[must_use]
+    pub fn at_least(self, pixels: f32) -> Self {
+        Self {
+            pixels: self.pixels.max(pixels),
+            silhouette: self.silhouette.map(|tolerance| tolerance.max(pixels)),
+            region: self.region.map(|(sphere, tolerance)| (sphere, tolerance.max(pixels))),
+            ..self
+        }
+    }
+
     /// Returns the same criterion for an object that is shown with a transform, in units of the object.
     ///
     /// `transform` is a matrix in column order, from the object to the space of this criterion. The result

@@ -1,103 +1,23 @@
 //! Builds everything that a .striata file contains: the steps of a mesh and its models.
 
-use std::time::Instant;
-
-use striata::file::{DecodeError, StriataFile, WriteOptions, to_striata, write_fragments};
+use striata::file::{WriteOptions, to_striata, write_fragments};
 use striata::mesh::{IndexedMesh, RefinableMesh, weld};
-use striata::model::{LodStrips, ModelKind, StageOptions};
+use striata::model::LodStrips;
 use striata::simplify::{StopReason, Target};
-use striata::strip::StripSet;
-use striata_stream::{EncodedStream, StreamOptions, encode_stream};
+use striata_stream::{EncodedStream, encode_stream};
 
-use super::models::{Models, StripSource, takes_strips};
-use super::strips_from::StripsFrom;
-use crate::args::BuildArgs;
+use super::models::{BuildPlan, Models, takes_strips};
 use striata::mesh::Steps;
 use striata_command::args::{OrderArg, SequenceArgs};
 use striata_command::clock::Phases;
 use striata_command::failure::Failure;
 use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall};
 use striata_command::output::Bar;
-use striata_command::sequence::{SequencePlan, SimplifiedSteps, StepKind};
-use striata_command::strip_chain::{StripPlan, TimedStrips};
+use striata_command::sequence::{SimplifiedSteps, StepKind};
 use striata_command::strip_report::StripReport;
 
 /// Phases of a build whose times are reported.
 pub(crate) const PHASES: [&str; 6] = ["read", "weld", "simplify", "strip", "models", "write"];
-
-/// Metadata key of a file for the kind of its errors.
-const ERRORS: &str = "errors";
-/// Metadata value for errors that are guaranteed for the whole surface.
-const GUARANTEED: &str = "guaranteed";
-
-/// Whether a file states that its errors are guaranteed: no point of the original is farther from a level
-/// than its error.
-///
-/// # Errors
-/// If the metadata of the file is damaged.
-pub(crate) fn errors_are_guaranteed(file: &StriataFile<'_>) -> Result<bool, DecodeError> {
-    let is_guarantee = |(key, value): &(String, String)| key == ERRORS && value == GUARANTEED;
-    Ok(file.metadata()?.iter().any(is_guarantee))
-}
-
-/// Options of a build.
-#[derive(Clone, Debug)]
-pub(crate) struct BuildPlan {
-    /// How the mesh is simplified.
-    pub sequence: SequencePlan,
-    /// How its strips are made.
-    pub strips: StripPlan,
-    /// Strips of the full mesh to begin with.
-    pub strips_from: Option<StripsFrom>,
-    /// When LodStrips begin a stage with new strips.
-    pub stages: StageOptions,
-    /// The models to build.
-    pub models: Vec<ModelKind>,
-    /// How the stream is encoded, if there is one.
-    pub stream: StreamOptions,
-    /// Whether patterns store an error for each overlap.
-    pub has_overlap_errors: bool,
-}
-
-impl BuildPlan {
-    /// Returns the plan that is used without any flags.
-    pub(crate) fn with_defaults() -> Self {
-        Self {
-            sequence: SequencePlan::default(),
-            strips: BuildArgs::default_strip_plan(),
-            strips_from: None,
-            stages: StageOptions::default(),
-            models: vec![ModelKind::LodStrips],
-            stream: StreamOptions::default(),
-            has_overlap_errors: false,
-        }
-    }
-
-    /// Makes the strips of the full mesh.
-    fn strips_of(&self, full: &IndexedMesh, bar: &mut Bar) -> Result<TimedStrips, Failure> {
-        let started = Instant::now();
-        let start = self.strips_from.as_ref().map(|from| from.strips_of(full)).transpose()?;
-        if self.strips_from.as_ref().is_some_and(|from| from.are_final) {
-            let strips = start.unwrap_or_default();
-            return Ok(TimedStrips { strips, secs: started.elapsed().as_secs_f64() });
-        }
-        Ok(self.strips.run_from(full, start.unwrap_or_default(), &mut |share| bar.share("strip", share))?)
-    }
-
-    /// Returns the name of how the strips are made.
-    fn algorithm(&self) -> String {
-        match &self.strips_from {
-            Some(from) if from.are_final => from.name().to_owned(),
-            Some(from) => format!("{}+{}", from.name(), self.strips.chain),
-            None => self.strips.chain.to_string(),
-        }
-    }
-
-    /// Returns strips of the full mesh together with how those of later stages are made.
-    pub(super) fn strip_source<'a>(&'a self, full: &'a StripSet) -> StripSource<'a> {
-        StripSource { full, plan: &self.strips, stages: self.stages }
-    }
-}
 
 /// The contents of a .striata file.
 #[derive(Debug)]
@@ -203,7 +123,7 @@ impl BuildOutput {
             .with_metadata("creator", concat!("striata ", env!("CARGO_PKG_VERSION")))
             .with_metadata("source", source)
             .with_metadata("order", self.order.as_str())
-            .with_metadata(ERRORS, if self.error_is_guaranteed { GUARANTEED } else { "estimated" });
+            .with_guaranteed_errors(self.error_is_guaranteed);
         let models = self.models.in_file()?;
         match &self.steps {
             Steps::Collapses(refinable) => Ok(to_striata(refinable, &models, &options)?),

@@ -8,7 +8,8 @@ use serde::Serialize;
 use striata::mesh::{IndexedMesh, weld};
 use striata::model::{FanInstance, LodModel, ModelKind, PartBytes, PatternInstance};
 
-use super::build_output::{BuildPlan, stream_of};
+use super::build_output::stream_of;
+use super::models::BuildPlan;
 use super::models::Models;
 use striata_command::args::StreamArgs;
 use striata_command::failure::Failure;

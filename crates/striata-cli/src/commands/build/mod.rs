@@ -6,9 +6,9 @@ mod models;
 mod report;
 mod strips_from;
 
-pub(crate) use self::build_output::{BuildOutput, BuildPlan, PHASES, build, errors_are_guaranteed};
+pub(crate) use self::build_output::{BuildOutput, PHASES, build};
 pub(crate) use self::costs::{ModelCost, model_costs};
-pub(crate) use self::models::{model_of_name, parts_in_file};
+pub(crate) use self::models::{BuildPlan, model_of_name, parts_in_file};
 
 use std::path::{Path, PathBuf};
 
@@ -17,7 +17,7 @@ use striata::model::ModelKind;
 use striata::simplify::Retriangulation;
 
 use self::models::takes_strips;
-use self::report::Report;
+use self::report::BuildReport;
 use self::strips_from::StripsFrom;
 use super::{paged, scene};
 use crate::args::BuildArgs;
@@ -102,7 +102,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     write_bytes(&bytes, &path)?;
     phases.leave();
     drop(bar);
-    let mut report = Report::new(&mesh, &built, display_name(&path), bytes.len(), phases);
+    let mut report = BuildReport::new(&mesh, &built, display_name(&path), bytes.len(), phases);
     report.shortfall = shortfall;
     output.summary(&report, &report.to_text(args, &built, diagonal))
 }

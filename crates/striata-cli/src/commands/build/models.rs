@@ -1,18 +1,21 @@
 //! Builds models by name and prepares them for a .striata file.
 
+use std::time::Instant;
+
 use striata::file::FileModel;
-use striata::mesh::RefinableMesh;
+use striata::mesh::{IndexedMesh, RefinableMesh};
 use striata::model::{Fans, LodModel, LodStrips, ModelKind, Mts, PartBytes, Patterns, StageOptions};
 use striata::simplify::{SimplifyError, certify_faces_with_progress};
 use striata::strip::StripSet;
-use striata_stream::{EncodedStream, file_model};
+use striata_stream::{EncodedStream, StreamOptions, file_model};
 
-use super::build_output::BuildPlan;
+use super::strips_from::StripsFrom;
+use crate::args::BuildArgs;
 use striata::mesh::Steps;
 use striata_command::failure::{Failure, unknown_name};
 use striata_command::output::Bar;
-use striata_command::sequence::SimplifiedSteps;
-use striata_command::strip_chain::StripPlan;
+use striata_command::sequence::{SequencePlan, SimplifiedSteps};
+use striata_command::strip_chain::{StripPlan, TimedStrips};
 
 /// Parses the name of a model.
 ///
@@ -26,6 +29,65 @@ pub(crate) fn model_of_name(name: &str) -> Result<ModelKind, Failure> {
 pub(crate) fn parts_in_file(mut parts: Vec<PartBytes>) -> Vec<PartBytes> {
     parts.retain(|part| ![Fans::MADE_RECORDS, LodStrips::LATER_STRIPS].contains(&part.name));
     parts
+}
+
+/// Options of a build.
+#[derive(Clone, Debug)]
+pub(crate) struct BuildPlan {
+    /// How the mesh is simplified.
+    pub sequence: SequencePlan,
+    /// How its strips are made.
+    pub strips: StripPlan,
+    /// Strips of the full mesh to begin with.
+    pub strips_from: Option<StripsFrom>,
+    /// When LodStrips begin a stage with new strips.
+    pub stages: StageOptions,
+    /// The models to build.
+    pub models: Vec<ModelKind>,
+    /// How the stream is encoded, if there is one.
+    pub stream: StreamOptions,
+    /// Whether patterns store an error for each overlap.
+    pub has_overlap_errors: bool,
+}
+
+impl BuildPlan {
+    /// Returns the plan that is used without any flags.
+    pub(crate) fn with_defaults() -> Self {
+        Self {
+            sequence: SequencePlan::default(),
+            strips: BuildArgs::default_strip_plan(),
+            strips_from: None,
+            stages: StageOptions::default(),
+            models: vec![ModelKind::LodStrips],
+            stream: StreamOptions::default(),
+            has_overlap_errors: false,
+        }
+    }
+
+    /// Makes the strips of the full mesh.
+    pub(super) fn strips_of(&self, full: &IndexedMesh, bar: &mut Bar) -> Result<TimedStrips, Failure> {
+        let started = Instant::now();
+        let start = self.strips_from.as_ref().map(|from| from.strips_of(full)).transpose()?;
+        if self.strips_from.as_ref().is_some_and(|from| from.are_final) {
+            let strips = start.unwrap_or_default();
+            return Ok(TimedStrips { strips, secs: started.elapsed().as_secs_f64() });
+        }
+        Ok(self.strips.run_from(full, start.unwrap_or_default(), &mut |share| bar.share("strip", share))?)
+    }
+
+    /// Returns the name of how the strips are made.
+    pub(super) fn algorithm(&self) -> String {
+        match &self.strips_from {
+            Some(from) if from.are_final => from.name().to_owned(),
+            Some(from) => format!("{}+{}", from.name(), self.strips.chain),
+            None => self.strips.chain.to_string(),
+        }
+    }
+
+    /// Returns strips of the full mesh together with how those of later stages are made.
+    pub(super) fn strip_source<'a>(&'a self, full: &'a StripSet) -> StripSource<'a> {
+        StripSource { full, plan: &self.strips, stages: self.stages }
+    }
 }
 
 /// Whether a model is built from strips.

@@ -14,7 +14,7 @@ use striata_command::stream::stream_facts_json;
 use striata_command::strip_report::StripReport;
 
 #[derive(Serialize)]
-pub(super) struct Report {
+pub(super) struct BuildReport {
     path: String,
     input: Value,
     step_count: usize,
@@ -37,7 +37,7 @@ pub(super) struct Report {
     peak_rss_bytes: Option<u64>,
 }
 
-impl Report {
+impl BuildReport {
     pub(super) fn new(
         mesh: &IndexedMesh,
         built: &BuildOutput,

@@ -8,7 +8,7 @@ use striata_scene::drawn::{ImageLimits, posed_mesh};
 use striata_scene::stream::{SceneStreamOptions, encode_scene};
 use striata_scene::{LodScene, Poser};
 
-use super::folder::Folder;
+use super::folder::DemoFolder;
 use super::pictures::{Picture, finish};
 use striata_command::failure::Failure;
 use striata_command::output::{Bar, format_count};
@@ -37,7 +37,7 @@ const ANGLES: ViewAngles = ViewAngles { turn: 0.3, rise: 0.22, up: [0.0, 1.0, 0.
 /// # Errors
 /// If a file cannot be written; other errors are internal.
 pub(super) fn write(
-    folder: &mut Folder<'_>,
+    folder: &mut DemoFolder<'_>,
     artist: &mut PictureRenderer,
     bar: &mut Bar,
 ) -> Result<Picture, Failure> {

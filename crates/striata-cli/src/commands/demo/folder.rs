@@ -9,12 +9,12 @@ use striata_command::failure::Failure;
 use striata_command::output::format_bytes;
 
 /// The output folder, with the names and descriptions of the files written so far.
-pub(super) struct Folder<'a> {
+pub(super) struct DemoFolder<'a> {
     path: &'a Path,
     pub files: Vec<(String, String)>,
 }
 
-impl<'a> Folder<'a> {
+impl<'a> DemoFolder<'a> {
     pub(super) fn create(path: &'a Path) -> Result<Self, Failure> {
         fs::create_dir_all(path).map_err(|error| {
             Failure::user(format!("{}: {error}", path.display()))

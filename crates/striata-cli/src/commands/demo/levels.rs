@@ -4,13 +4,12 @@ use std::time::Instant;
 
 use serde::Serialize;
 use striata::file::StriataFile;
-use striata::model::LodModel;
+use striata::model::{LodModel, StripModel as _};
 use striata_io::{Format, WriteOptions, to_bytes};
 
-use super::folder::Folder;
+use super::folder::DemoFolder;
 use crate::commands::build::BuildOutput;
 use crate::strip_lists::stitched;
-use crate::strip_lists::strips_of_level;
 use striata_command::failure::Failure;
 use striata_command::output::{format_bytes, format_count, format_duration};
 
@@ -52,7 +51,7 @@ fn measure_one(built: &BuildOutput, share: f64, diagonal: f64) -> Level {
         built.lod_strips().move_to(&mut state, split_count);
         seek_secs = seek_secs.min(started.elapsed().as_secs_f64());
     }
-    let strips = strips_of_level(built.lod_strips(), &state);
+    let strips = built.lod_strips().strips_at(&state);
     let index_count = strips.to_restart_indices().indices.len();
     let vertex_count = sequence.vertex_count_at(split_count);
     let error = sequence.error_at(split_count);
@@ -95,7 +94,7 @@ pub(super) fn rows(levels: &[Level]) -> Vec<Vec<String>> {
 pub(super) fn write_meshes(
     file: &StriataFile<'_>,
     built: &BuildOutput,
-    folder: &mut Folder<'_>,
+    folder: &mut DemoFolder<'_>,
 ) -> Result<(), Failure> {
     let wanted = [
         (0.5, Format::Glb, false),
@@ -111,7 +110,7 @@ pub(super) fn write_meshes(
         let mesh = file.level_of(built.lod_strips(), &state)?;
         let mut options = WriteOptions::default().with_cache_order(true);
         if as_strips {
-            options = options.with_strips(stitched(&strips_of_level(built.lod_strips(), &state)));
+            options = options.with_strips(stitched(&built.lod_strips().strips_at(&state)));
         }
         let form = if as_strips { "-strips" } else { "" };
         let name = format!("nefertiti-{}-percent{form}.{}", 100.0 * share, format.extension());

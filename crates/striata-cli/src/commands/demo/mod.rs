@@ -16,7 +16,7 @@ use striata_io::{Source, read_bytes};
 
 use crate::args::DemoArgs;
 use crate::commands::build::{BuildOutput, BuildPlan, PHASES, build};
-use folder::Folder;
+use folder::DemoFolder;
 use levels::Level;
 use pictures::Picture;
 use striata_command::clock::Phases;
@@ -28,7 +28,7 @@ use striata_viewer::picture::PictureRenderer;
 const NEFERTITI: &[u8] = include_bytes!("../../../assets/nefertiti.ply.zst");
 
 #[derive(Serialize)]
-struct Report {
+struct DemoReport {
     dir: String,
     files: Vec<String>,
     levels: Vec<Level>,
@@ -41,7 +41,7 @@ struct Report {
 /// If the folder or a file in it cannot be written.
 pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
-    let mut folder = Folder::create(args.dir())?;
+    let mut folder = DemoFolder::create(args.dir())?;
     let mut bar = output.bar();
     let mut phases = Phases::new(&PHASES);
     let mesh = read_bytes(NEFERTITI, &Source::new("nefertiti.ply.zst"))?;
@@ -64,7 +64,7 @@ pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
     let page = render_page(&built, &levels, &folder, &pictures, bytes.len());
     folder.write("index.html", "the page to open", page.as_bytes())?;
     drop(bar);
-    let report = Report {
+    let report = DemoReport {
         dir: args.dir().display().to_string(),
         files: folder.files.iter().map(|(name, _)| name.clone()).collect(),
         levels,
@@ -78,7 +78,7 @@ pub(crate) fn run(args: &DemoArgs, output: &Output) -> Result<(), Failure> {
 fn render_page(
     built: &BuildOutput,
     levels: &[Level],
-    folder: &Folder<'_>,
+    folder: &DemoFolder<'_>,
     pictures: &[Picture],
     file_bytes: usize,
 ) -> String {
@@ -89,7 +89,7 @@ fn render_page(
         format_bytes(file_bytes),
         format_count(sequence.step_count() + 1),
     );
-    let content = page::Content {
+    let content = page::PageContent {
         intro: &intro,
         levels: "Errors are distances from the full mesh, relative to the diagonal of its bounding box. \
                  Seek times are those from full detail to the level, on the machine that ran the demo.",
@@ -100,7 +100,7 @@ fn render_page(
     page::render(&content)
 }
 
-impl Report {
+impl DemoReport {
     fn to_text(&self, phases: &Phases) -> String {
         let mut table = striata_command::output::Table::default();
         for row in levels::rows(&self.levels) {

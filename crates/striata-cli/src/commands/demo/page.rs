@@ -11,7 +11,7 @@ use striata_command::page::{STYLE, fill, table};
 const TEMPLATE: &str = include_str!("page.html");
 
 /// Contents of the page.
-pub(super) struct Content<'a> {
+pub(super) struct PageContent<'a> {
     /// Introduction, as HTML.
     pub intro: &'a str,
     /// Text above the table.
@@ -25,7 +25,7 @@ pub(super) struct Content<'a> {
 }
 
 /// Returns the page, which includes everything that it shows; it needs neither a network nor other files.
-pub(super) fn render(content: &Content<'_>) -> String {
+pub(super) fn render(content: &PageContent<'_>) -> String {
     let files: Vec<Vec<String>> = content
         .files
         .iter()

@@ -1,12 +1,11 @@
 //! The demo's pictures: shaded levels, strips, wireframes, error heat maps, and a view-dependent level.
 
 use striata::mesh::{IndexedMesh, RefinableMesh};
-use striata::model::{FanInstance, FanScene, Fans, LodModel};
+use striata::model::{FanInstance, FanScene, Fans, LodModel, StripModel as _};
 use striata::view::ScreenError;
 
 use super::levels::{percent, split_count_at};
 use crate::commands::build::BuildOutput;
-use crate::strip_lists::strips_of_level;
 use striata_command::args::tan;
 use striata_command::failure::Failure;
 use striata_command::output::format_count;
@@ -40,7 +39,7 @@ pub(super) struct Picture {
 pub(super) fn draw_all(built: &BuildOutput, artist: &mut PictureRenderer) -> Result<Vec<Picture>, Failure> {
     let RefinableMesh { mesh, sequence } = built.refinable().clone();
     let refinable = RefinableMesh { mesh: with_normals(mesh), sequence };
-    let mut studio = Studio { built, refinable, artist };
+    let mut studio = DemoStudio { built, refinable, artist };
     Ok(vec![
         Picture {
             name: "levels.png",
@@ -73,13 +72,13 @@ pub(super) fn draw_all(built: &BuildOutput, artist: &mut PictureRenderer) -> Res
     ])
 }
 
-struct Studio<'a> {
+struct DemoStudio<'a> {
     built: &'a BuildOutput,
     refinable: RefinableMesh,
     artist: &'a mut PictureRenderer,
 }
 
-impl Studio<'_> {
+impl DemoStudio<'_> {
     fn levels(&mut self) -> Result<Vec<u8>, Failure> {
         let sheet = Sheet::new([1280, 980], SHARES.len(), 2).with_text(true);
         let mut panels = Vec::new();
@@ -91,7 +90,7 @@ impl Studio<'_> {
             let level = self.level(share);
             let mut state = self.built.lod_strips().new_state();
             self.built.lod_strips().move_to(&mut state, split_count_at(self.built, share));
-            let strips = strips_of_level(self.built.lod_strips(), &state);
+            let strips = self.built.lod_strips().strips_at(&state);
             let (triangles, colors) = strip_colors(&strips);
             let painted = Shot::of(&level, Paint::Triangles(colors), Style::FLAT);
             panels.push(self.panel(share, &Shot { triangles: triangles.into(), ..painted }, &sheet));

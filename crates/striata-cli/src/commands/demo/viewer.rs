@@ -3,7 +3,7 @@
 use striata::mesh::{IndexedMesh, weld};
 use striata_stream::{StreamOptions, encode_stream};
 
-use super::folder::Folder;
+use super::folder::DemoFolder;
 use striata::mesh::Steps;
 use striata_command::failure::Failure;
 use striata_command::output::{Bar, format_count};
@@ -20,7 +20,7 @@ pub(super) const PAGE: &str = "viewer.html";
 ///
 /// # Errors
 /// If the stream cannot be made or a file cannot be written.
-pub(super) fn write(mesh: &IndexedMesh, folder: &mut Folder<'_>, bar: &mut Bar) -> Result<(), Failure> {
+pub(super) fn write(mesh: &IndexedMesh, folder: &mut DemoFolder<'_>, bar: &mut Bar) -> Result<(), Failure> {
     let mut plan = SequencePlan::default();
     plan.use_batches(BatchSettings::default())?;
     let sequenced = plan.run(weld(mesh)?, &mut |progress| bar.show(progress))?;

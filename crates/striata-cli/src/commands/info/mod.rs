@@ -8,14 +8,14 @@ mod step_statistics;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use striata::file::{DecodeError, FORMAT_VERSION, StriataFile};
-use striata::mesh::{AttributeLayer, IndexedMesh, Levels, Statistics, TriangleGroup, validate, weld};
+use striata::mesh::{AttributeLayer, IndexedMesh, LevelTable, Statistics, TriangleGroup, validate, weld};
 use striata::model::{LodModel, ModelKind, PartBytes, StripModel};
 use striata_io::Scene;
-use striata_stream::{StreamDefect, StreamInfo};
+use striata_stream::{StreamDefect, StreamInfo, StreamLevels};
 
 use self::limits::{Parts, Seams, StepSummary, notes};
 use crate::args::InfoArgs;
-use crate::commands::build::{ModelCost, errors_are_guaranteed, model_costs, parts_in_file};
+use crate::commands::build::{ModelCost, model_costs, parts_in_file};
 use crate::commands::paged;
 use crate::commands::scene::SceneFacts;
 use striata_command::failure::Failure;
@@ -24,7 +24,7 @@ use striata_command::output::{
     Output, Table, format_bytes, format_count, format_duration, format_length, format_noun_count,
 };
 use striata_command::save::georeference_of;
-use striata_command::stream::{DecodedStream, stream_facts_json};
+use striata_command::stream::stream_facts_json;
 
 /// Number of defects that the text lists; JSON lists more of them.
 const LISTED_DEFECTS: usize = 5;
@@ -33,7 +33,7 @@ const LISTED_DEFECTS: usize = 5;
 ///
 /// Topological counts are null if the mesh is inconsistent; the defects say why.
 #[derive(Serialize)]
-struct Report {
+struct InfoReport {
     kind: &'static str,
     format_version: Option<u32>,
     /// Size of the file; null for a shape.
@@ -108,12 +108,12 @@ pub(crate) fn run(args: &InfoArgs, output: &Output) -> Result<(), Failure> {
     } else if let Some((facts, scene)) = scene_of(&input, args, output)? {
         // Reading a file of a scene as one mesh shows it as it is, with defects and unused vertices.
         let mesh = if input.has_scene_levels() { scene.flattened()? } else { input.mesh(&Output::quiet())? };
-        let mut report = Report::new(&input, &mesh);
+        let mut report = InfoReport::new(&input, &mesh);
         report.set_scene(facts, &scene);
         (report, mesh)
     } else {
         let mesh = input.mesh(output)?;
-        (Report::new(&input, &mesh), mesh)
+        (InfoReport::new(&input, &mesh), mesh)
     };
     if args.models {
         let costs = model_costs(&mesh, &mut output.bar());
@@ -129,14 +129,14 @@ fn scene_of(input: &Input, args: &InfoArgs, output: &Output) -> Result<Option<(S
 }
 
 /// Returns the report on a file with levels, and its full mesh.
-fn of_container(input: &Input, output: &Output) -> Result<(Report, IndexedMesh), Failure> {
+fn of_container(input: &Input, output: &Output) -> Result<(InfoReport, IndexedMesh), Failure> {
     let file = input.striata()?;
     input.remark_on(&file, output)?;
     let mesh = file.mesh().map_err(|error| input.damaged(&error))?;
-    let mut report = Report::new(input, &mesh);
+    let mut report = InfoReport::new(input, &mesh);
     report.format_version = (input.kind() == "striata").then_some(FORMAT_VERSION);
     report.add_levels(&file.levels().map_err(|error| input.damaged(&error))?);
-    let is_guaranteed = errors_are_guaranteed(&file).map_err(|error| input.damaged(&error))?;
+    let is_guaranteed = file.has_guaranteed_errors().map_err(|error| input.damaged(&error))?;
     report.error_is_guaranteed = Some(is_guaranteed);
     if file.has_collapses() {
         let refinable = file.refinable_mesh().map_err(|error| input.damaged(&error))?;
@@ -171,7 +171,7 @@ fn of_container(input: &Input, output: &Output) -> Result<(Report, IndexedMesh),
     Ok((report, mesh))
 }
 
-impl Report {
+impl InfoReport {
     /// Adds the facts from the header of the stream, and how much of the stream is present.
     fn add_stream(&mut self, file: &StriataFile<'_>, stream: &[u8], input: &Input) -> Result<(), Failure> {
         let damaged = |error: DecodeError| input.damaged(&error);
@@ -181,7 +181,11 @@ impl Report {
         let split_count = match (file.is_stream_only(), file.is_truncated()) {
             (true, _) => file.levels().map_err(damaged)?.step_count(),
             (false, false) => facts.step_count,
-            (false, true) => DecodedStream::read_all(stream).map_err(damaged)?.decoder.split_count(),
+            (false, true) => {
+                let mut levels = StreamLevels::new(stream).map_err(damaged)?;
+                levels.decode_all().map_err(damaged)?;
+                levels.decoder().split_count()
+            }
         };
         let mut described = stream_facts_json(&facts);
         described["read_bytes"] = json!(stream.len());
@@ -276,7 +280,7 @@ impl Report {
         }
     }
 
-    fn add_levels(&mut self, sequence: &Levels) {
+    fn add_levels(&mut self, sequence: &LevelTable) {
         self.step_count = Some(sequence.step_count());
         self.base = Some(json!({
             "vertex_count": sequence.base_vertex_count(),

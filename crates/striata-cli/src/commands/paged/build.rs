@@ -22,7 +22,7 @@ use striata_paged::PagedFile;
 
 /// Report of a build: the file, its counts, and the time that it took.
 #[derive(Serialize)]
-struct Report {
+struct PagedBuildReport {
     output: PathBuf,
     bytes: u64,
     triangles: u64,
@@ -100,7 +100,7 @@ pub(crate) fn build(
     drop(lock);
     let seconds = start.elapsed().as_secs_f64();
     let triangles = plan.metadata.triangle_count;
-    let report = Report {
+    let report = PagedBuildReport {
         output: path.to_owned(),
         bytes: if is_address(path) { size_at_address(path)? } else { size_of_output(path) },
         triangles,

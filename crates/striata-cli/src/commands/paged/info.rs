@@ -10,18 +10,18 @@ use striata_paged::{Metadata, PagedFile};
 use super::failure_of;
 
 #[derive(Serialize)]
-struct Report {
+struct PagedInfoReport {
     kind: &'static str,
     page_count: u32,
     page_bytes: u64,
     read_bytes: u64,
-    levels: Vec<LevelReport>,
+    levels: Vec<PagedLevelReport>,
     #[serde(flatten)]
     metadata: Metadata,
 }
 
 #[derive(Clone, Default, Serialize)]
-struct LevelReport {
+struct PagedLevelReport {
     level: u8,
     pages: usize,
     triangles: u64,
@@ -37,7 +37,7 @@ pub(crate) fn info(path: &Path, output: &Output) -> Result<(), Failure> {
     let mut file = PagedFile::open(&path.to_string_lossy()).map_err(failure_of)?;
     let pages = file.select(|_| true).map_err(failure_of)?;
     let metadata = file.metadata().clone();
-    let mut levels = vec![LevelReport::default(); metadata.cell_counts.len() + 1];
+    let mut levels = vec![PagedLevelReport::default(); metadata.cell_counts.len() + 1];
     for entry in pages.iter().filter_map(|&page| file.reader().entry(page)) {
         let Some(level) = levels.get_mut(entry.id.level as usize) else { continue };
         level.level = entry.id.level;
@@ -47,7 +47,7 @@ pub(crate) fn info(path: &Path, output: &Output) -> Result<(), Failure> {
         level.error_max = level.error_max.max(entry.error);
     }
     levels.reverse();
-    let report = Report {
+    let report = PagedInfoReport {
         kind: "paged",
         page_count: file.reader().page_count(),
         page_bytes: levels.iter().map(|level| level.bytes).sum(),
@@ -58,7 +58,7 @@ pub(crate) fn info(path: &Path, output: &Output) -> Result<(), Failure> {
     output.data(&report, &text(path, &report))
 }
 
-fn text(path: &Path, report: &Report) -> String {
+fn text(path: &Path, report: &PagedInfoReport) -> String {
     let metadata = &report.metadata;
     let mut table = Table::with_head(&["level", "pages", "triangles", "bytes", "error"]);
     for level in &report.levels {

@@ -12,7 +12,7 @@ pub(crate) use info::info;
 pub(crate) use input::{is_generated, is_streamed_only, is_too_large, open_generated};
 pub(crate) use plan::plan;
 pub(crate) use run::run;
-pub(crate) use source::{camera_of, is_paged_file, open_input};
+pub(crate) use source::{is_paged_file, open_input};
 
 use striata_command::failure::Failure;
 use striata_paged::PagedError;

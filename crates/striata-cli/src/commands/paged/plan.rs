@@ -16,7 +16,7 @@ use crate::args::PlanArgs;
 const MAX_WORKERS: usize = 100_000;
 
 #[derive(Serialize)]
-struct Report {
+struct PlanReport {
     plan: PathBuf,
     triangles: u64,
     tasks: usize,
@@ -54,7 +54,7 @@ pub(crate) fn plan(args: &PlanArgs, output: &Output) -> Result<(), Failure> {
         return Err(refused);
     }
     let estimate = plan.estimate();
-    let report = Report {
+    let report = PlanReport {
         plan: folder.join("plan.json"),
         triangles: plan.metadata.triangle_count,
         tasks: plan.tasks.len(),
@@ -67,7 +67,7 @@ pub(crate) fn plan(args: &PlanArgs, output: &Output) -> Result<(), Failure> {
     output.summary(&report, &text(&report))
 }
 
-fn text(report: &Report) -> String {
+fn text(report: &PlanReport) -> String {
     let mut table = Table::with_head(&["stage", "tasks", "first task"]);
     for stage in &report.stages {
         table.row(vec![stage.name.clone(), stage.task_count.to_string(), stage.first_task.to_string()]);

@@ -11,7 +11,7 @@ use super::{core_count, failure};
 use crate::args::RunArgs;
 
 #[derive(Serialize)]
-struct Report {
+struct TaskReport {
     task: Option<usize>,
     seconds: f64,
     finished: bool,
@@ -33,7 +33,7 @@ pub(crate) fn run(args: &RunArgs, output: &Output) -> Result<(), Failure> {
         }
     }
     let report =
-        Report { task: args.task, seconds: start.elapsed().as_secs_f64(), finished: plan.is_finished() };
+        TaskReport { task: args.task, seconds: start.elapsed().as_secs_f64(), finished: plan.is_finished() };
     let what = args.task.map_or("all tasks".to_owned(), |task| format!("task {task}"));
     let text = format!("{what} done in {}\n", format_duration(report.seconds));
     output.summary(&report, &text)

@@ -6,11 +6,9 @@ use std::path::Path;
 
 use striata::file::{FileModel, WriteOptions, write_striata};
 use striata::model::Fans;
-use striata::view::Camera;
-use striata_command::args::{Point, ViewArgs};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
-use striata_paged::{HEAD_NAME, Metadata, PAGED_MAGIC, PagedFile};
+use striata_paged::{HEAD_NAME, PAGED_MAGIC, PagedFile};
 
 use super::failure_of;
 
@@ -42,21 +40,4 @@ pub(crate) fn open_input(path: &Path, triangle_count: usize) -> Result<Input, Fa
     write_striata(&known, &[FileModel::Fans(&fans)], &options, &mut bytes)
         .map_err(|error| Failure::internal(error.to_string()))?;
     Input::of_bytes(&name, bytes)
-}
-
-/// The flags of a view relative to the origin of the pages, and its camera, which looks at the middle of the
-/// mesh by default.
-///
-/// # Errors
-/// If the flags of the view do not define a camera.
-pub(crate) fn camera_of(
-    view: &ViewArgs,
-    eye: Point,
-    metadata: &Metadata,
-) -> Result<(ViewArgs, Camera), Failure> {
-    let center = [0, 1, 2].map(|a| 0.5 * (metadata.min[a] + metadata.max[a]));
-    let view = view.relative_to(metadata.origin);
-    let camera = view.camera(eye.relative_to(metadata.origin), center);
-    let camera = camera.map(|camera| (view, camera));
-    camera.map_err(|error| Failure::user(error.to_string()).with_hint("change --eye, --look-at or --up"))
 }

@@ -2,13 +2,14 @@
 
 use std::borrow::Cow;
 
+use striata::levels::FoundLevel;
 use striata::mesh::IndexedMesh;
 use striata::model::ModelKind;
 use striata::simplify::Target;
 use striata::strip::{StripIndices, StripSet, stripify};
 
-use crate::commands::extract::ViewLevel;
-use striata_command::args::Coloring;
+use crate::commands::levels::pixels_of;
+use striata_command::args::{Coloring, ViewArgs};
 use striata_command::failure::Failure;
 use striata_command::fan_cover::cover_with_fans;
 use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall};
@@ -61,21 +62,23 @@ impl Figure {
     }
 
     /// Creates a figure of the level for a view, which had to respect the triangle limit, if there is one.
-    pub(super) fn of_view(model: ModelKind, level: ViewLevel, triangle_limit: Option<usize>) -> Self {
-        let reached = ReachedLevel {
-            vertex_count: level.mesh.vertex_count(),
-            triangle_count: level.mesh.triangle_count(),
-            stop_reason: level.stop_reason,
-        };
+    pub(super) fn of_view(
+        model: ModelKind,
+        level: FoundLevel<IndexedMesh>,
+        view: &ViewArgs,
+        triangle_limit: Option<usize>,
+    ) -> Self {
+        let FoundLevel { vertex_count, triangle_count, stop_reason, .. } = level;
+        let reached = ReachedLevel { vertex_count, triangle_count, stop_reason };
         let target = triangle_limit.map(Target::Triangles);
         Self {
             shortfall: target.and_then(|target| shortfall(target, reached, &CoarseningLimit::File)),
             model: model.as_str(),
             split_count: Some(level.split_count),
-            error: level.error,
+            error: level.error.unwrap_or_default() as f32,
             error_is_guaranteed: false,
-            pixels: Some(level.pixels),
-            ..Self::of_mesh(with_normals(level.mesh))
+            pixels: Some(pixels_of(view, triangle_limit, level.relaxation)),
+            ..Self::of_mesh(with_normals(level.shape))
         }
     }
 

@@ -1,7 +1,7 @@
 //! The layout of a picture in panels, and drawing them.
 
 use super::figure::Figure;
-use super::source::Source;
+use super::source::PictureSource;
 use super::viewpoint::Viewpoint;
 use crate::args::RenderArgs;
 use striata_command::args::Coloring;
@@ -15,7 +15,7 @@ use striata_viewer::picture::{
 /// A picture that is ready to be drawn.
 pub(super) struct Layout<'a> {
     args: &'a RenderArgs,
-    source: &'a Source<'a>,
+    source: &'a PictureSource<'a>,
     figures: &'a [Figure],
     viewpoint: &'a Viewpoint,
     /// Distances from the original to each level, if the picture shows them.
@@ -40,7 +40,7 @@ impl<'a> Layout<'a> {
     /// If a distance cannot be measured, which is an internal error.
     pub(super) fn new(
         args: &'a RenderArgs,
-        source: &'a Source<'a>,
+        source: &'a PictureSource<'a>,
         figures: &'a [Figure],
         viewpoint: &'a Viewpoint,
     ) -> Result<Self, Failure> {

@@ -10,13 +10,14 @@ mod viewpoint;
 use std::path::Path;
 use std::time::Instant;
 
-use crate::args::{Background, RenderArgs};
-use crate::commands::extract::{MIN_PIXELS, ViewLevel};
-use crate::commands::paged::{camera_of, failure_of, is_paged_file, open_input};
+use crate::args::{PictureBackground, RenderArgs};
+use crate::commands::levels::camera;
+use crate::commands::paged::{failure_of, is_paged_file, open_input};
 use figure::Figure;
 use layout::Layout;
-use report::{Drawing, Report};
-use source::{PageLimits, Source};
+use report::{DrawingReport, RenderReport};
+use source::{PageLimits, PictureSource};
+use striata::levels::Levels as _;
 use striata::model::ModelKind;
 use striata_command::args::Point;
 use striata_command::failure::Failure;
@@ -39,12 +40,12 @@ pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
     let mut bar = output.bar();
     bar.phase("read");
     if let Some(eye) = args.level.eye.filter(|_| is_paged_file(&args.input)) {
-        let source = Source::of_view(args, paged_view(args, eye)?);
+        let source = PictureSource::of_view(args, paged_view(args, eye)?);
         let figures = vec![source.target(None)?];
         return draw(args, (&source, figures), (output, bar, started));
     }
     let input = open_input(&args.input, paged_triangle_limit(args))?;
-    let mut source = Source::read(args, &input, output, &mut bar)?;
+    let mut source = PictureSource::read(args, &input, output, &mut bar)?;
     if is_paged_file(&args.input) {
         source = source.of_pages(page_limits(args)?);
     }
@@ -58,7 +59,7 @@ pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
 /// If any of this fails; nothing is written then.
 fn draw(
     args: &RenderArgs,
-    (source, figures): (&Source<'_>, Vec<Figure>),
+    (source, figures): (&PictureSource<'_>, Vec<Figure>),
     (output, mut bar, started): (&Output, Bar, Instant),
 ) -> Result<(), Failure> {
     let mut artist = artist(args, output)?;
@@ -75,8 +76,8 @@ fn draw(
     let picture = layout.draw(&mut artist, &theme(args.background))?;
     write(&args.output, &picture.canvas, &mut bar)?;
     drop(bar);
-    let drawing = Drawing { artist: &artist, frame_secs: picture.frame_secs, started };
-    let report = Report::new(args, source, &figures, &layout, drawing);
+    let drawing = DrawingReport { artist: &artist, frame_secs: picture.frame_secs, started };
+    let report = RenderReport::new(args, source, &figures, &layout, drawing);
     output.summary(&report, &report.to_text())
 }
 
@@ -99,14 +100,13 @@ fn page_limits(args: &RenderArgs) -> Result<PageLimits, Failure> {
 /// If the camera is degenerate, or the file is damaged.
 fn paged_view(args: &RenderArgs, eye: Point) -> Result<Figure, Failure> {
     let mut file = PagedFile::open(&args.input.to_string_lossy()).map_err(failure_of)?;
-    let metadata = file.metadata();
-    let limit = args.level.level.triangle_count();
-    let limit = limit.map(|count| count.of_triangles(metadata.triangle_count as usize));
+    let (facts, bounds) = (file.facts(), file.bounds().map_err(failure_of)?);
+    let limit = args.level.level.triangle_count().map(|count| count.of_triangles(facts.triangle_count));
     let view = args.view.on_screen(args.size.0);
-    let (view, camera) = camera_of(&view, eye, metadata)?;
-    let criterion = view.criterion(camera, MIN_PIXELS);
-    let found = file.level_for_view(&criterion, limit).map_err(failure_of)?;
-    Ok(Figure::of_view(ModelKind::Fans, ViewLevel::of_pages(found, view.pixels()), limit))
+    let camera = camera(&view, eye, facts.origin, bounds)?;
+    let found =
+        file.find_for_view(&view.relative_to(facts.origin).criterion(camera), limit).map_err(failure_of)?;
+    Ok(Figure::of_view(ModelKind::Fans, found, &view, limit))
 }
 
 /// A picture shows no more triangles of a paged file than this for each of its pixels.
@@ -159,7 +159,7 @@ fn artist(args: &RenderArgs, output: &Output) -> Result<PictureRenderer, Failure
 ///
 /// # Errors
 /// If a level cannot be made.
-fn figures(args: &RenderArgs, source: &Source<'_>, input: &Input) -> Result<Vec<Figure>, Failure> {
+fn figures(args: &RenderArgs, source: &PictureSource<'_>, input: &Input) -> Result<Vec<Figure>, Failure> {
     if let Some(eye) = args.level.eye {
         return Ok(vec![source.view(args, eye, input)?]);
     }
@@ -169,12 +169,12 @@ fn figures(args: &RenderArgs, source: &Source<'_>, input: &Input) -> Result<Vec<
     }
 }
 
-fn theme(background: Background) -> Theme {
+fn theme(background: PictureBackground) -> Theme {
     match background {
-        Background::Dark => Theme::DARK,
-        Background::Light => Theme::LIGHT,
-        Background::None => Theme::on([0.0; 4]),
-        Background::Color(srgb) => Theme::on_srgb(srgb),
+        PictureBackground::Dark => Theme::DARK,
+        PictureBackground::Light => Theme::LIGHT,
+        PictureBackground::None => Theme::on([0.0; 4]),
+        PictureBackground::Color(srgb) => Theme::on_srgb(srgb),
     }
 }
 

@@ -7,7 +7,7 @@ use striata::strip::StripSet;
 
 use super::figure::Figure;
 use super::layout::Layout;
-use super::source::Source;
+use super::source::PictureSource;
 use crate::args::RenderArgs;
 use striata_command::level::shortfall_note;
 use striata_command::output::{format_duration, format_length, format_noun_count};
@@ -15,7 +15,7 @@ use striata_viewer::picture::PictureRenderer;
 
 /// Report on a picture.
 #[derive(Serialize)]
-pub(super) struct Report {
+pub(super) struct RenderReport {
     path: String,
     width: u32,
     height: u32,
@@ -59,19 +59,19 @@ struct HeatReport {
 }
 
 /// The renderer that drew the picture, and the times that it took.
-pub(super) struct Drawing<'a> {
+pub(super) struct DrawingReport<'a> {
     pub artist: &'a PictureRenderer,
     pub frame_secs: f64,
     pub started: Instant,
 }
 
-impl Report {
+impl RenderReport {
     pub(super) fn new(
         args: &RenderArgs,
-        source: &Source<'_>,
+        source: &PictureSource<'_>,
         figures: &[Figure],
         layout: &Layout<'_>,
-        Drawing { artist, frame_secs, started }: Drawing<'_>,
+        DrawingReport { artist, frame_secs, started }: DrawingReport<'_>,
     ) -> Self {
         let [width, height] = args.size.0;
         let levels: Vec<Level> = figures

@@ -1,7 +1,8 @@
 //! A scene as the source of a picture: in a pose, with materials, with or without levels.
 
+use striata::levels::Levels as _;
 use striata::mesh::IndexedMesh;
-use striata::simplify::{StopReason, Target};
+use striata::simplify::Target;
 use striata::{LodOptions, ProgressFn};
 use striata_command::args::{Coloring, Point, find_entry};
 use striata_command::failure::Failure;
@@ -16,7 +17,7 @@ use striata_viewer::picture::{Camera, SceneLook};
 
 use super::figure::Figure;
 use crate::args::{DrawnModel, RenderArgs};
-use crate::commands::scene::scene_of_view;
+use crate::commands::levels::{camera, pixels_of};
 
 /// A scene in a pose.
 pub(super) struct SceneSource {
@@ -142,22 +143,18 @@ impl SceneSource {
             return Err(Failure::internal("a view needs a scene with levels"));
         };
         let view = args.view.on_screen(args.size.0);
-        let camera = view
-            .camera(eye, center(&self.mesh))
-            .map_err(|error| Failure::user(error.to_string()).with_hint("change --eye, --look-at or --up"))?;
+        let camera = camera(&view, eye, [0.0; 3], self.mesh.bounds())?;
         let limit = args.level.level.triangle_count();
         let limit = limit.map(|count| count.of_triangles(self.full().triangle_count));
-        let (scene, pixels) = scene_of_view(lods, &view, camera, limit);
-        let mesh = self.posed(&scene)?;
-        let triangle_count = mesh.triangle_count();
-        let is_above = limit.is_some_and(|limit| triangle_count > limit);
-        let stop_reason = if is_above { StopReason::BaseReached } else { StopReason::TargetReached };
-        let reached = ReachedLevel { vertex_count: mesh.vertex_count(), triangle_count, stop_reason };
+        let Ok(found) = lods.clone().find_for_view(&view.criterion(camera), limit);
+        let mesh = self.posed(&found.shape)?;
+        let (vertex_count, triangle_count) = (mesh.vertex_count(), mesh.triangle_count());
+        let reached = ReachedLevel { vertex_count, triangle_count, stop_reason: found.stop_reason };
         let target = limit.map(Target::Triangles);
         Ok(Figure {
             shortfall: target.and_then(|target| shortfall(target, reached, &self.coarsening_limit())),
             error_is_guaranteed: false,
-            pixels: Some(pixels),
+            pixels: Some(pixels_of(&view, limit, found.relaxation) / lods.least_importance()),
             ..Figure::of_mesh(mesh)
         })
     }
@@ -232,8 +229,4 @@ fn pose(args: &RenderArgs, poser: &Poser, input: &Input, output: &Output) -> Res
         output.say(&format!("note: animation {animation} ends after {duration} seconds; showing its end"));
     }
     Ok(poser.pose(animation, time))
-}
-
-fn center(mesh: &IndexedMesh) -> [f32; 3] {
-    mesh.bounds().map_or([0.0; 3], |b| [0, 1, 2].map(|k| f32::midpoint(b.min[k], b.max[k])))
 }

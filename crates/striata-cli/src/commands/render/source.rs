@@ -1,7 +1,8 @@
 //! Sources of levels: a mesh alone, a mesh that is simplified for the picture, a file with levels, or a
 //! scene.
 
-use striata::file::StriataFile;
+use striata::file::{DecodeError, StriataFile};
+use striata::levels::{PatternLevels, fan_level};
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, weld};
 use striata::model::{Fans, LodStrips, ModelKind, Mts, Patterns, StoredModel, StripModel};
 use striata::simplify::Target;
@@ -10,9 +11,7 @@ use striata::strip::{StripSet, stripify};
 use super::figure::Figure;
 use super::scene_source::SceneSource;
 use crate::args::{DrawnModel, RenderArgs};
-use crate::commands::build::errors_are_guaranteed;
-use crate::commands::extract::{FilePatterns, level_of_view};
-use crate::strip_lists::strips_of_level;
+use crate::commands::levels::camera;
 use striata::mesh::Steps;
 use striata_command::args::{Coloring, Count, Point};
 use striata_command::failure::Failure;
@@ -24,19 +23,17 @@ use striata_scene::drawn::ImageLimits;
 use striata_viewer::picture::{SceneLook, with_normals};
 
 /// The source of the levels in a picture.
-pub(super) enum Source<'a> {
-    /// A mesh that is drawn unchanged.
-    Mesh(Box<IndexedMesh>, Option<Box<SceneLook>>),
+pub(super) enum PictureSource<'a> {
     /// A mesh with levels.
-    Levels(Box<Levels<'a>>, Option<Box<SceneLook>>),
+    Levels(Box<DrawnLevels<'a>>, Option<Box<SceneLook>>),
     /// A scene in a pose, with or without levels.
     Scene(Box<SceneSource>),
-    /// The level for a view, made of pages.
-    View(Box<Figure>, Option<Box<SceneLook>>),
+    /// A mesh that is drawn unchanged, or the level for a view, made of pages.
+    Fixed(Box<Figure>, Option<Box<SceneLook>>),
 }
 
 /// All levels of a mesh, and the model that provides their triangles.
-pub(super) struct Levels<'a> {
+pub(super) struct DrawnLevels<'a> {
     steps: Steps,
     model: Model<'a>,
     error_is_guaranteed: bool,
@@ -61,7 +58,7 @@ enum Model<'a> {
     List,
 }
 
-impl<'a> Source<'a> {
+impl<'a> PictureSource<'a> {
     /// Reads the input; simplifies a mesh only if the picture needs levels.
     ///
     /// # Errors
@@ -79,7 +76,7 @@ impl<'a> Source<'a> {
         if input.has_levels() {
             let file = input.striata()?;
             input.remark_on(&file, output)?;
-            let levels = Levels::of_file(args, file, input)?;
+            let levels = DrawnLevels::of_file(args, file, input)?;
             let look = look_of(args, levels.steps.mesh());
             return Ok(Self::Levels(Box::new(levels), look));
         }
@@ -87,13 +84,13 @@ impl<'a> Source<'a> {
         mesh.check().map_err(|error| in_file(error.into()))?;
         let look = look_of(args, &mesh);
         if !args.needs_levels() {
-            return Ok(Self::Mesh(Box::new(with_normals(mesh)), look));
+            return Ok(Self::Fixed(Box::new(Figure::of_mesh(with_normals(mesh))), look));
         }
         let welded = weld(&mesh).map_err(|error| in_file(error.into()))?;
         let sequenced = SequencePlan::default().run(welded, &mut |progress| bar.show(progress));
         let steps = with_level_normals(sequenced.map_err(|error| in_file(error.into()))?.steps);
         let model = Model::built(args.model.unwrap_or(default_model(args)), &steps)?;
-        let levels = Levels { steps, model, error_is_guaranteed: false, file: None, pages: None };
+        let levels = DrawnLevels { steps, model, error_is_guaranteed: false, file: None, pages: None };
         Ok(Self::Levels(Box::new(levels), look))
     }
 
@@ -108,13 +105,13 @@ impl<'a> Source<'a> {
     /// Wraps the level for a view, made of pages.
     pub(super) fn of_view(args: &RenderArgs, figure: Figure) -> Self {
         let look = look_of(args, &figure.mesh);
-        Self::View(Box::new(figure), look)
+        Self::Fixed(Box::new(figure), look)
     }
 
     /// Returns the materials, if the picture shows them.
     pub(super) fn look(&self) -> Option<&SceneLook> {
         match self {
-            Self::Mesh(_, look) | Self::Levels(_, look) | Self::View(_, look) => look.as_deref(),
+            Self::Levels(_, look) | Self::Fixed(_, look) => look.as_deref(),
             Self::Scene(scene) => scene.look(),
         }
     }
@@ -130,10 +127,9 @@ impl<'a> Source<'a> {
     /// Returns the full mesh, with normals.
     pub(super) fn mesh(&self) -> &IndexedMesh {
         match self {
-            Self::Mesh(mesh, _) => mesh,
             Self::Levels(levels, _) => levels.steps.mesh(),
             Self::Scene(scene) => scene.mesh(),
-            Self::View(figure, _) => &figure.mesh,
+            Self::Fixed(figure, _) => &figure.mesh,
         }
     }
 
@@ -146,17 +142,12 @@ impl<'a> Source<'a> {
     pub(super) fn full(&self) -> FullMesh {
         let diagonal = self.diagonal();
         match self {
-            Self::Mesh(mesh, _) => FullMesh {
-                diagonal,
-                vertex_count: mesh.vertex_count(),
-                triangle_count: mesh.triangle_count(),
-            },
             Self::Levels(levels, _) => match levels.pages {
                 Some(pages) => FullMesh { diagonal, ..pages.full },
                 None => FullMesh::of_levels(levels.steps.levels(), diagonal),
             },
             Self::Scene(scene) => scene.full(),
-            Self::View(figure, _) => FullMesh {
+            Self::Fixed(figure, _) => FullMesh {
                 diagonal,
                 vertex_count: figure.mesh.vertex_count(),
                 triangle_count: figure.mesh.triangle_count(),
@@ -170,9 +161,8 @@ impl<'a> Source<'a> {
     /// If its strips cannot be made.
     pub(super) fn target(&self, target: Option<Target>) -> Result<Figure, Failure> {
         let levels = match self {
-            Self::Mesh(mesh, _) => return Ok(Figure::of_mesh(IndexedMesh::clone(mesh))),
             Self::Scene(scene) => return scene.target(target),
-            Self::View(figure, _) => return Ok(Figure::clone(figure)),
+            Self::Fixed(figure, _) => return Ok(Figure::clone(figure)),
             Self::Levels(levels, _) => levels,
         };
         let known = levels.steps.levels();
@@ -208,38 +198,34 @@ impl<'a> Source<'a> {
         let levels = match self {
             Self::Levels(levels, _) => levels,
             Self::Scene(scene) => return scene.view(args, eye),
-            Self::View(figure, _) => return Ok(Figure::clone(figure)),
-            Self::Mesh(..) => return Err(Failure::internal("a view needs a mesh with levels")),
+            Self::Fixed(figure, _) => return Ok(Figure::clone(figure)),
         };
-        let bounds = self.mesh().bounds();
-        let center = bounds.map_or([0.0; 3], |b| [0, 1, 2].map(|k| (b.min[k] + b.max[k]) / 2.0));
         let origin = self.mesh().origin;
-        let view = args.view.on_screen(args.size.0).relative_to(origin);
-        let camera = view
-            .camera(eye.relative_to(origin), center)
-            .map_err(|error| Failure::user(error.to_string()).with_hint("change --eye, --look-at or --up"))?;
+        let view = args.view.on_screen(args.size.0);
+        let camera = camera(&view, eye, origin, self.mesh().bounds())?;
+        let criterion = view.relative_to(origin).criterion(camera);
         let limit =
             args.level.level.triangle_count().map(|count| count.of_triangles(self.full().triangle_count));
-        let patterns = match (&levels.model, &levels.file) {
-            (Model::Patterns(model), _) => {
-                Some(FilePatterns::of(Patterns::clone(model), levels.steps.mesh().clone()))
-            }
-            (_, Some(file)) if levels.has_patterns_only() => Some(FilePatterns::read(file, input)?),
+        let stored_patterns = levels.file.as_ref().filter(|_| levels.has_patterns_only());
+        let patterns = match (&levels.model, stored_patterns.and_then(StriataFile::patterns)) {
+            (Model::Patterns(model), _) => Some(Patterns::clone(model)),
+            (_, Some(patterns)) => Some(patterns.map_err(|error| input.damaged(&error))?),
             _ => None,
         };
         if let Some(patterns) = patterns {
-            let level = patterns.level_of_view(&view, camera, limit);
-            return Ok(Figure::of_view(ModelKind::Patterns, level, limit));
+            let patterns = PatternLevels::new(patterns, levels.steps.mesh().clone());
+            let level = patterns.view(&criterion, limit);
+            return Ok(Figure::of_view(ModelKind::Patterns, level, &view, limit));
         }
         let stored = levels.file.as_ref().and_then(StriataFile::fans).transpose();
         let stored = stored.map_err(|error| input.damaged(&error))?;
         let fans = stored.unwrap_or_else(|| Fans::build(&levels.steps));
-        let level = level_of_view(&fans, &levels.steps, &view, camera, limit);
-        Ok(Figure::of_view(ModelKind::Fans, level, limit))
+        let level = fan_level(&fans, &levels.steps, &criterion, limit);
+        Ok(Figure::of_view(ModelKind::Fans, level, &view, limit))
     }
 }
 
-impl<'a> Levels<'a> {
+impl<'a> DrawnLevels<'a> {
     /// Number of splits of the finest level that a picture shows.
     fn finest(&self) -> usize {
         let known = self.steps.levels();
@@ -274,28 +260,26 @@ impl<'a> Levels<'a> {
     /// If the file is damaged, or the requested model is neither in the file nor can be built.
     fn of_file(args: &RenderArgs, file: StriataFile<'a>, input: &Input) -> Result<Self, Failure> {
         let damaged = |error| input.damaged(&error);
-        let error_is_guaranteed = errors_are_guaranteed(&file).map_err(damaged)?;
+        let error_is_guaranteed = file.has_guaranteed_errors().map_err(damaged)?;
         let steps = with_level_normals(file.steps().map_err(damaged)?);
-        let is_wanted = |kind| args.model.is_none_or(|wanted| wanted == DrawnModel::Model(kind));
-        let model = if args.heat {
-            Model::List
-        } else if let Some(model) = is_wanted(ModelKind::LodStrips).then(|| file.lod_strips()).flatten() {
-            Model::LodStrips(model.map_err(damaged)?)
-        } else if let Some(model) = is_wanted(ModelKind::Mts).then(|| file.mts()).flatten() {
-            Model::Mts(model.map_err(damaged)?)
-        } else if let Some(model) = is_wanted(ModelKind::Fans).then(|| file.fans()).flatten() {
-            Model::Fans(model.map_err(damaged)?)
-        } else if let Some(model) = is_wanted(ModelKind::Patterns).then(|| file.patterns()).flatten() {
-            Model::Patterns(model.map_err(damaged)?)
-        } else {
-            Model::built(args.model.unwrap_or(default_model(args)), &steps)?
+        let stored = match args.model {
+            _ if args.heat => None,
+            Some(DrawnModel::List) => None,
+            Some(DrawnModel::Model(kind)) => Model::stored(&file, kind),
+            None => ModelKind::ALL.into_iter().find_map(|kind| Model::stored(&file, kind)),
+        };
+        let model = match stored {
+            Some(model) => model.map_err(damaged)?,
+            None if args.heat => Model::List,
+            None => Model::built(args.model.unwrap_or(default_model(args)), &steps)?,
         };
         Ok(Self { steps, model, error_is_guaranteed, file: Some(file), pages: None })
     }
 
     /// Whether patterns are the only model that views can use.
     fn has_patterns_only(&self) -> bool {
-        let has = |file: &StriataFile<'_>| file.fans().is_none() && file.patterns().is_some();
+        let has =
+            |file: &StriataFile<'_>| file.has_model(ModelKind::Patterns) && !file.has_model(ModelKind::Fans);
         self.file.as_ref().is_some_and(has)
     }
 
@@ -346,7 +330,18 @@ impl<'a> Levels<'a> {
     }
 }
 
-impl Model<'_> {
+impl<'a> Model<'a> {
+    /// Reads a model, if the file has it.
+    fn stored(file: &StriataFile<'a>, kind: ModelKind) -> Option<Result<Self, DecodeError>> {
+        Some(match kind {
+            ModelKind::LodStrips => file.lod_strips()?.map(Self::LodStrips),
+            ModelKind::Mts => file.mts()?.map(Self::Mts),
+            ModelKind::Fans => file.fans()?.map(Self::Fans),
+            ModelKind::Patterns => file.patterns()?.map(Self::Patterns),
+            _ => return None,
+        })
+    }
+
     /// Builds a model for the picture.
     ///
     /// # Errors
@@ -400,7 +395,7 @@ fn strips_of(refinable: &RefinableMesh) -> Result<StripSet, Failure> {
 fn strips_at<M: StripModel>(model: &M, split_count: usize) -> StripSet {
     let mut state = model.new_state();
     model.move_to(&mut state, split_count);
-    strips_of_level(model, &state)
+    model.strips_at(&state)
 }
 
 /// Returns the materials of a mesh, if the picture shows them.

@@ -5,7 +5,7 @@ use striata_command::args::Point;
 use striata_command::failure::Failure;
 use striata_viewer::picture::{Camera, Frustum, ViewAngles};
 
-use super::source::Source;
+use super::source::PictureSource;
 
 /// The camera of a picture, for any aspect ratio.
 pub(super) struct Viewpoint {
@@ -32,7 +32,7 @@ impl Viewpoint {
     ///
     /// # Errors
     /// If the camera looks at its own position.
-    pub(super) fn new(args: &RenderArgs, source: &Source<'_>) -> Result<Self, Failure> {
+    pub(super) fn new(args: &RenderArgs, source: &PictureSource<'_>) -> Result<Self, Failure> {
         let mesh = source.mesh();
         let center = mesh.bounds().map_or([0.0; 3], |b| [0, 1, 2].map(|k| (b.min[k] + b.max[k]) / 2.0));
         let is_outside = args.from.is_some() || args.turn.is_some() || args.rise.is_some();

@@ -23,7 +23,7 @@ use crate::args::BuildArgs;
 const PHASES: [&str; 3] = ["read", "simplify", "write"];
 
 #[derive(Serialize)]
-struct Report {
+struct SceneBuildReport {
     path: String,
     mesh_count: usize,
     vertex_count: usize,
@@ -90,7 +90,7 @@ pub(in crate::commands) fn build(
     write_bytes(&bytes, path)?;
     phases.leave();
     drop(bar);
-    let report = Report {
+    let report = SceneBuildReport {
         path: display_name(path),
         mesh_count: lods.lods().iter().flatten().count(),
         vertex_count: lods.levels().vertex_count(),
@@ -124,7 +124,7 @@ fn shortfall_of(lods: &LodScene, base: usize, args: &BuildArgs) -> Option<String
     shortfall(Target::Triangles(base), reached, &limit)
 }
 
-impl Report {
+impl SceneBuildReport {
     fn to_text(&self, is_default_name: bool) -> String {
         let mut table = Table::default();
         let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);

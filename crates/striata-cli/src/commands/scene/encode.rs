@@ -22,7 +22,7 @@ use crate::args::EncodeArgs;
 const PHASES: [&str; 3] = ["read", "encode", "write"];
 
 #[derive(Serialize)]
-struct Report {
+struct SceneEncodeReport {
     path: String,
     format: &'static str,
     mesh_count: usize,
@@ -85,7 +85,7 @@ pub(in crate::commands) fn encode(
     write_bytes(&bytes, path)?;
     phases.leave();
     drop(bar);
-    let report = Report {
+    let report = SceneEncodeReport {
         path: display_name(path),
         format: format.extension(),
         mesh_count: scene.meshes().iter().flatten().count(),
@@ -142,7 +142,7 @@ impl From<SceneStreamSizes> for Sizes {
     }
 }
 
-impl Report {
+impl SceneEncodeReport {
     fn to_text(&self, is_default_name: bool) -> String {
         let mut table = Table::default();
         let mut row = |name: &str, value: String| table.row(vec![name.to_owned(), value]);

@@ -23,7 +23,7 @@ pub(super) struct PatternShape {
 
 /// A rule in a table.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Rule<'a> {
+pub(super) struct GeneralRule<'a> {
     /// Local vertices that the step restores, in the order of their numbers.
     pub own: &'a [u8],
     /// Other local vertices that either the ceiling or the floor lacks, so that each fragment lists them.
@@ -33,7 +33,7 @@ pub(super) struct Rule<'a> {
     pub local_count: usize,
 }
 
-impl<'a> Rule<'a> {
+impl<'a> GeneralRule<'a> {
     fn of_code(code: &'a [u8]) -> Self {
         let [ceiling_count, _, own_count, listed_count] = std::array::from_fn(|i| usize::from(code[i]));
         let (own, rest) = code[4..].split_at(own_count);
@@ -202,8 +202,8 @@ impl PatternRuleTable {
     }
 
     #[inline]
-    pub(super) fn get(&self, rule: usize) -> Rule<'_> {
-        Rule::of_code(&self.codes[self.firsts[rule] as usize..self.firsts[rule + 1] as usize])
+    pub(super) fn get(&self, rule: usize) -> GeneralRule<'_> {
+        GeneralRule::of_code(&self.codes[self.firsts[rule] as usize..self.firsts[rule + 1] as usize])
     }
 
     pub(super) fn bytes(&self) -> usize {

@@ -41,7 +41,7 @@ mod surface;
 
 pub(super) use self::build::check_form;
 use self::records::LoopRecords;
-pub(super) use self::rule::{LoopRuleTable, LoopShape, Rule};
+pub(super) use self::rule::{LoopRule, LoopRuleTable, LoopShape};
 pub use self::state::LoopPatternsState;
 pub(super) use self::surface::{LoopRegion, LoopSurface, Side};
 use striata::model::{DrawCounts, LodModel, PartBytes, StepVertices, StoredModel, Topology};

@@ -39,14 +39,14 @@ pub(in crate::baseline) struct LoopShape {
 
 /// A rule in a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::baseline) struct Rule<'a> {
+pub(in crate::baseline) struct LoopRule<'a> {
     /// Whether the ring is open.
     pub is_open: bool,
     /// Apexes of the floor's triangles, in the order of the code.
     pub apexes: &'a [u8],
 }
 
-impl<'a> Rule<'a> {
+impl<'a> LoopRule<'a> {
     pub(in crate::baseline) fn of_code(code: &'a [u8]) -> Self {
         Self { is_open: code[0] != 0, apexes: &code[1..] }
     }
@@ -218,8 +218,8 @@ impl LoopRuleTable {
     }
 
     #[inline]
-    pub(in crate::baseline) fn get(&self, rule: usize) -> Rule<'_> {
-        Rule::of_code(self.code(rule))
+    pub(in crate::baseline) fn get(&self, rule: usize) -> LoopRule<'_> {
+        LoopRule::of_code(self.code(rule))
     }
 
     pub(super) fn bytes(&self) -> usize {

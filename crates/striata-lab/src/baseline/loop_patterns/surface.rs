@@ -5,7 +5,7 @@
 //! is another slot or a border. Every vertex stores one of its triangles. A rule is matched by walking its
 //! tree over the triangles, so a floor is located from one of its sides.
 
-use super::rule::Rule;
+use super::rule::LoopRule;
 
 /// Marks a missing triangle.
 pub(in crate::baseline) const NONE: u32 = u32::MAX;
@@ -200,7 +200,12 @@ impl LoopSurface {
 
     /// Matches the floor of a rule against the triangles, beginning at the given side: the comparison of
     /// \[KG98\], with a positioned rule. Returns false if the triangles differ or the ring is not simple.
-    pub(in crate::baseline) fn find_floor(&self, rule: Rule, start: Side, region: &mut LoopRegion) -> bool {
+    pub(in crate::baseline) fn find_floor(
+        &self,
+        rule: LoopRule,
+        start: Side,
+        region: &mut LoopRegion,
+    ) -> bool {
         let n = rule.ring_len();
         let (slot, side) = start;
         region.start(n);
@@ -269,7 +274,12 @@ impl LoopSurface {
     }
 
     /// Replaces a located floor by the fan of a new vertex.
-    pub(in crate::baseline) fn replace_by_fan(&mut self, vertex: u32, rule: Rule, region: &mut LoopRegion) {
+    pub(in crate::baseline) fn replace_by_fan(
+        &mut self,
+        vertex: u32,
+        rule: LoopRule,
+        region: &mut LoopRegion,
+    ) {
         let (n, count) = (rule.ring_len(), rule.ceiling_len());
         while region.slots.len() < count {
             region.slots.push(self.corners.len() as u32);
@@ -300,7 +310,7 @@ impl LoopSurface {
     }
 
     /// Replaces the located fan of a vertex by a floor.
-    pub(super) fn replace_by_floor(&mut self, vertex: u32, rule: Rule, region: &mut LoopRegion) {
+    pub(super) fn replace_by_floor(&mut self, vertex: u32, rule: LoopRule, region: &mut LoopRegion) {
         let n = rule.ring_len();
         debug_assert_eq!(region.ring.len(), n, "the fan is another rule's");
         self.triangle_at[vertex as usize] = NONE;

@@ -104,7 +104,7 @@ impl OriginalLodStrips {
 }
 
 /// The part of a change that affects one strip.
-struct StripRecord<'m> {
+struct OriginalStripRecord<'m> {
     strip: u32,
     slots: &'m [u32],
 }
@@ -113,14 +113,14 @@ struct StripRecord<'m> {
 struct StripRecords<'m>(&'m [u32]);
 
 impl<'m> Iterator for StripRecords<'m> {
-    type Item = StripRecord<'m>;
+    type Item = OriginalStripRecord<'m>;
 
     #[inline]
-    fn next(&mut self) -> Option<StripRecord<'m>> {
+    fn next(&mut self) -> Option<OriginalStripRecord<'m>> {
         let [strip, slot_count, rest @ ..] = self.0 else { return None };
         let (slots, rest) = rest.split_at_checked(*slot_count as usize)?;
         self.0 = rest;
-        Some(StripRecord { strip: *strip, slots })
+        Some(OriginalStripRecord { strip: *strip, slots })
     }
 }
 

@@ -7,7 +7,7 @@ use super::{
     ANCHOR_BITS, FRAGMENT_BITS, LONG_NEIGHBOR, LONG_NEIGHBOR_BITS, LONG_RULE, LONG_RULE_BITS, NEIGHBOR_BITS,
     OPENS_TWICE, OrderedNeighbors, RULE_BITS, SequentialPatternsError,
 };
-use crate::baseline::loop_patterns::{LoopRegion, LoopRuleTable, LoopSurface, Rule};
+use crate::baseline::loop_patterns::{LoopRegion, LoopRule, LoopRuleTable, LoopSurface};
 
 /// Decodes one fragment after another and keeps the level that they lead to.
 #[derive(Debug)]
@@ -145,7 +145,7 @@ impl SequentialDecoder {
     }
 
     /// Applies the fragment with the given rule, whose second anchor is the neighbor at `index`.
-    fn apply(&mut self, rule: Rule, anchor: u32, index: usize) -> Result<Fragment, &'static str> {
+    fn apply(&mut self, rule: LoopRule, anchor: u32, index: usize) -> Result<Fragment, &'static str> {
         if rule.apexes.is_empty() {
             let side = index.checked_sub(1).map(|before| self.neighbors.star[before]);
             let (on, _) =
@@ -231,7 +231,7 @@ fn read_rules(count: usize, rest: &mut &[u8]) -> Result<LoopRuleTable, Sequentia
             _ => return Err(refused("has a ring that is neither open nor closed")),
         }
         let code = [&[is_open], apexes].concat();
-        if !Rule::of_code(&code).is_tree() {
+        if !LoopRule::of_code(&code).is_tree() {
             return Err(refused("has a floor that does not fill its ring"));
         }
         codes.push(code);

@@ -9,7 +9,7 @@ use super::{
     ANCHOR_BITS, LONG_NEIGHBOR, LONG_NEIGHBOR_BITS, LONG_RULE, LONG_RULE_BITS, NEIGHBOR_BITS, OPENS_TWICE,
     OrderedNeighbors, RULE_BITS, SequentialPatterns,
 };
-use crate::baseline::loop_patterns::{LoopRegion, LoopShape, LoopSurface, Rule, Side, check_form};
+use crate::baseline::loop_patterns::{LoopRegion, LoopRule, LoopShape, LoopSurface, Side, check_form};
 
 impl SequentialPatterns {
     /// Encodes all levels of a mesh.
@@ -39,7 +39,7 @@ impl SequentialPatterns {
         }
         base.as_flattened().iter().for_each(|v| bytes.extend_from_slice(&v.to_le_bytes()));
         for code in &rules {
-            let rule = Rule::of_code(code);
+            let rule = LoopRule::of_code(code);
             bytes.extend_from_slice(&[rule.ring_len() as u8, u8::from(rule.is_open)]);
             bytes.extend_from_slice(rule.apexes);
         }
@@ -99,7 +99,7 @@ struct SequentialPatternsWriter {
 
 impl SequentialPatternsWriter {
     fn push(&mut self, vertex: u32, shape: &LoopShape, rule_index: u32) -> Result<(), &'static str> {
-        let rule = Rule::of_code(&shape.code);
+        let rule = LoopRule::of_code(&shape.code);
         let a = shape.ring[0];
         self.neighbors.find(&self.surface, a);
         let index = self.find(rule, shape).ok_or("has a floor that does not match its anchors")?;
@@ -117,7 +117,7 @@ impl SequentialPatternsWriter {
     }
 
     /// Index of the second anchor among the neighbors of the first; leaves the floor in `region`.
-    fn find(&mut self, rule: Rule, shape: &LoopShape) -> Option<usize> {
+    fn find(&mut self, rule: LoopRule, shape: &LoopShape) -> Option<usize> {
         let [a, b] = [shape.ring[0], shape.ring[1]];
         let mut indices = 0..self.neighbors.count();
         if rule.apexes.is_empty() {

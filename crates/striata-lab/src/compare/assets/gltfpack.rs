@@ -15,7 +15,7 @@ use tempfile::TempDir;
 use super::contender::Request;
 use super::contender::{Level, Simplify};
 use super::error_limits::with_smallest_limit;
-use super::subject::{Subject, key};
+use super::subject::{ComparedAsset, key};
 use striata_command::failure::Failure;
 
 /// A temporary folder with the mesh as a file that gltfpack reads.
@@ -30,7 +30,7 @@ struct Workplace {
 /// # Errors
 /// If the mesh cannot be written.
 pub(super) fn prepare<'a>(
-    subject: &Subject,
+    subject: &ComparedAsset,
     is_permissive: bool,
 ) -> Result<Result<Simplify<'a>, String>, Failure> {
     if let Err(why) = run(&["-v"]) {

@@ -5,7 +5,7 @@ use striata::mesh::{DistanceOptions, surface_distance};
 
 use super::attribute_distance::{AttributeSpread, attribute_distance};
 use super::contender::{Level, Request};
-use super::subject::Subject;
+use super::subject::ComparedAsset;
 use striata_command::failure::Failure;
 
 /// Number of samples on each surface for distances, and on the original for attributes.
@@ -52,7 +52,7 @@ pub(super) struct LevelRow {
 /// # Errors
 /// If the level is inconsistent or empty.
 pub(super) fn measure_level(
-    subject: &Subject,
+    subject: &ComparedAsset,
     request: &Request,
     contender: &'static str,
     level: Level,

@@ -29,8 +29,8 @@ use striata::simplify::{
 use self::contender::{Level, Request, Simplify};
 use self::levels::measure_level;
 pub(super) use self::report::AssetsReport;
-use self::subject::Subject;
-pub(super) use self::summary::{Summary, summarize};
+use self::subject::ComparedAsset;
+pub(super) use self::summary::{AssetSummary, summarize};
 pub(super) use self::tables::{section, summary_part, summary_text, to_text};
 use crate::args::{AssetArgs, AssetContender};
 use striata_command::failure::Failure;
@@ -46,7 +46,7 @@ pub(super) fn measure(
     bar: &mut Bar,
     say: &dyn Fn(&str),
 ) -> Result<AssetsReport, Failure> {
-    let subject = Subject::new(mesh)?;
+    let subject = ComparedAsset::new(mesh)?;
     let mut notes = Vec::new();
     let mut contenders: Vec<(AssetContender, Simplify<'_>)> = Vec::new();
     for &contender in &args.contenders {
@@ -82,7 +82,7 @@ pub(super) fn measure(
 /// Prepares a contender; the inner error is the reason why it cannot take part.
 fn prepare<'a>(
     contender: AssetContender,
-    subject: &'a Subject,
+    subject: &'a ComparedAsset,
     bar: &mut Bar,
 ) -> Result<Result<Simplify<'a>, String>, Failure> {
     match contender {
@@ -105,7 +105,11 @@ fn prepare<'a>(
 
 /// Takes levels from one sequence with default options; the time of each is that of the whole sequence, and of
 /// fitting the level if vertices may move.
-fn striata<'a>(subject: &'a Subject, placement: Placement, bar: &mut Bar) -> Result<Simplify<'a>, Failure> {
+fn striata<'a>(
+    subject: &'a ComparedAsset,
+    placement: Placement,
+    bar: &mut Bar,
+) -> Result<Simplify<'a>, Failure> {
     let started = Instant::now();
     let options = SequenceOptions::default().with_base_colors(subject.base_colors.clone());
     let built = build_sequence_with_progress(&subject.mesh, &options, &mut |progress| bar.show(progress))?;

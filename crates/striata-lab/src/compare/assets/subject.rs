@@ -13,7 +13,7 @@ use striata_scene::drawn::{ImageLimits, base_colors_of_mesh};
 use striata_viewer::picture::{SceneLook, with_normals};
 
 /// A mesh with the attributes that all contenders can weight.
-pub(super) struct Subject {
+pub(super) struct ComparedAsset {
     /// The mesh to simplify.
     pub mesh: IndexedMesh,
     /// Base colors of its materials, as [`base_colors_of_mesh`] returns them.
@@ -26,7 +26,7 @@ pub(super) struct Subject {
     smooth_normals: Option<SmoothNormals>,
 }
 
-impl Subject {
+impl ComparedAsset {
     /// Welds the mesh, leaves out other attributes, and takes its pictures, with the materials if it has any.
     ///
     /// # Errors

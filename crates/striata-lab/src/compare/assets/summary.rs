@@ -29,7 +29,7 @@ const TOOLS: [&str; 2] = ["gltfpack", "meshoptimizer"];
 
 /// striata compared with the better variant of one other tool, in one metric.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub(in super::super) struct Summary {
+pub(in super::super) struct AssetSummary {
     /// Name of the other tool.
     pub against: &'static str,
     pub metric: &'static str,
@@ -42,13 +42,17 @@ pub(in super::super) struct Summary {
 }
 
 /// Summarizes all assets; a variant is included in the levels in which it reaches its target.
-pub(in super::super) fn summarize(reports: &[&AssetsReport]) -> Vec<Summary> {
+pub(in super::super) fn summarize(reports: &[&AssetsReport]) -> Vec<AssetSummary> {
     let pairs = TOOLS.into_iter().flat_map(|tool| METRICS.map(|metric| (tool, metric)));
     pairs.filter_map(|(tool, metric)| compare(reports, tool, metric)).collect()
 }
 
 /// Summarizes one metric against one tool; returns `None` if no level can be compared.
-fn compare(reports: &[&AssetsReport], against: &'static str, (metric, value): Metric) -> Option<Summary> {
+fn compare(
+    reports: &[&AssetsReport],
+    against: &'static str,
+    (metric, value): Metric,
+) -> Option<AssetSummary> {
     let (mut logs, mut worse_count, mut level_count) = (0.0, 0, 0);
     for report in reports {
         let reached = || report.levels.iter().filter(|row| row.is_reached);
@@ -64,7 +68,7 @@ fn compare(reports: &[&AssetsReport], against: &'static str, (metric, value): Me
         }
     }
     let ratio = (logs / level_count.max(1) as f64).exp();
-    (level_count > 0).then_some(Summary { against, metric, ratio, worse_count, level_count })
+    (level_count > 0).then_some(AssetSummary { against, metric, ratio, worse_count, level_count })
 }
 
 #[cfg(test)]

@@ -1,11 +1,11 @@
 //! Text tables and page sections of assets.
 
-use super::super::page::{Block, MeshPart, Section};
-use super::super::plot::{Chart, Series};
+use super::super::page::{MeshPart, PageBlock, PageSection};
+use super::super::plot::{Chart, PlotSeries};
 use super::super::scale::Scale;
 use super::levels::{LevelRow, SAMPLES};
 use super::report::AssetsReport;
-use super::summary::Summary;
+use super::summary::AssetSummary;
 use striata_command::failure::Failure;
 use striata_command::output::{format_count, format_duration};
 
@@ -76,29 +76,29 @@ fn cells(row: &LevelRow) -> Vec<String> {
 ///
 /// # Errors
 /// If a chart cannot be drawn.
-pub(in super::super) fn section(report: &AssetsReport) -> Result<Section, Failure> {
-    let mut blocks = vec![Block::chart(
+pub(in super::super) fn section(report: &AssetsReport) -> Result<PageSection, Failure> {
+    let mut blocks = vec![PageBlock::chart(
         &chart(report, "RMS distance, 1e-5 of the diagonal", |row| Some(1e5 * row.rms)),
         "RMS distance by triangles",
     )?];
     if report.levels.iter().any(|row| row.normal_mean_degrees.is_some()) {
         let chart = chart(report, "mean angle of normals, degrees", |row| row.normal_mean_degrees);
-        blocks.push(Block::chart(&chart, "Angle of normals by triangles")?);
+        blocks.push(PageBlock::chart(&chart, "Angle of normals by triangles")?);
     }
     if report.has_uvs {
         let chart = chart(report, "95 % of UV differences are below", |row| row.uv_p95);
-        blocks.push(Block::chart(&chart, "UV difference by triangles")?);
+        blocks.push(PageBlock::chart(&chart, "UV difference by triangles")?);
     }
-    blocks.push(Block::chart(
+    blocks.push(PageBlock::chart(
         &chart(report, "gray levels", |row| Some(row.gray_rms)),
         "Pictures by triangles",
     )?);
     if report.levels.iter().any(|row| row.color_mean.is_some()) {
         let chart = chart(report, "mean difference of colors", |row| row.color_mean);
-        blocks.push(Block::chart(&chart, "Pictures with materials by triangles")?);
+        blocks.push(PageBlock::chart(&chart, "Pictures with materials by triangles")?);
     }
-    blocks.push(Block::WideTable(table(report)));
-    Ok(Section {
+    blocks.push(PageBlock::WideTable(table(report)));
+    Ok(PageSection {
         title: "Levels next to other simplifiers".to_owned(),
         intro: format!(
             "{READING} Distances are sampled at {SAMPLES} points on each surface, attributes at as many \
@@ -114,14 +114,14 @@ pub(in super::super) fn section(report: &AssetsReport) -> Result<Section, Failur
 fn chart(report: &AssetsReport, y_title: &'static str, value: fn(&LevelRow) -> Option<f64>) -> Chart {
     // A logarithmic axis cannot show 0.
     let point = |row: &LevelRow| value(row).map(|y| (row.triangle_count as f64, y.max(1e-5)));
-    let mut series: Vec<Series> = Vec::new();
+    let mut series: Vec<PlotSeries> = Vec::new();
     for row in &report.levels {
         let Some(point) = point(row) else { continue };
         match series.iter_mut().find(|series| series.name == row.contender) {
             Some(series) => series.points.push(point),
             None => {
                 let name = row.contender.to_owned();
-                series.push(Series { name, points: vec![point], spread: Vec::new() });
+                series.push(PlotSeries { name, points: vec![point], spread: Vec::new() });
             }
         }
     }
@@ -136,11 +136,11 @@ fn chart(report: &AssetsReport, y_title: &'static str, value: fn(&LevelRow) -> O
     }
 }
 
-fn summary_table(rows: &[Summary]) -> Vec<Vec<String>> {
+fn summary_table(rows: &[AssetSummary]) -> Vec<Vec<String>> {
     let head =
         ["against the better level of", "in", "striata / it, geometric mean", "striata is worse in", "of"];
     let head = head.map(str::to_owned).to_vec();
-    let cells = |row: &Summary| {
+    let cells = |row: &AssetSummary| {
         vec![
             row.against.to_owned(),
             row.metric.replace('_', " "),
@@ -154,20 +154,20 @@ fn summary_table(rows: &[Summary]) -> Vec<Vec<String>> {
 
 /// The summary as text.
 pub(in super::super) fn summary_text(
-    rows: &[Summary],
+    rows: &[AssetSummary],
     text_of: impl Fn(Vec<Vec<String>>) -> String,
 ) -> String {
     format!("All assets, levels that reach their target\n{}\n", text_of(summary_table(rows)))
 }
 
 /// The summary as a part of the page, or `None` if it is empty.
-pub(in super::super) fn summary_part(rows: &[Summary]) -> Option<MeshPart> {
-    let section = Section {
+pub(in super::super) fn summary_part(rows: &[AssetSummary]) -> Option<MeshPart> {
+    let section = PageSection {
         title: "striata next to the better variant of each tool".to_owned(),
         intro: "Levels that reach their target, over all assets and shares. Ratios below 1 are in favor of \
                 striata."
             .to_owned(),
-        blocks: vec![Block::WideTable(summary_table(rows))],
+        blocks: vec![PageBlock::WideTable(summary_table(rows))],
     };
     let part = MeshPart { name: "All assets".to_owned(), summary: String::new(), sections: vec![section] };
     (!rows.is_empty()).then_some(part)

@@ -1,9 +1,9 @@
 //! Page sections of patterns: charts and tables of their memory and extraction time.
 
 use super::super::bars::{BarChart, Bars};
-use super::super::page::{Block, Section};
+use super::super::page::{PageBlock, PageSection};
 use super::super::papers::KG98_BYTES_PER_VERTEX;
-use super::super::plot::{Chart, Series};
+use super::super::plot::{Chart, PlotSeries};
 use super::super::scale::Scale;
 use super::extraction::{ExtractionRow, NAMES};
 use super::report::{PatternsReport, extraction_table, table};
@@ -14,9 +14,9 @@ use striata_command::failure::Failure;
 ///
 /// # Errors
 /// If a chart cannot be drawn.
-pub(in super::super) fn sections(report: &PatternsReport) -> Result<Vec<Section>, Failure> {
+pub(in super::super) fn sections(report: &PatternsReport) -> Result<Vec<PageSection>, Failure> {
     let [patterns, explicit] = KG98_BYTES_PER_VERTEX;
-    let space = Section {
+    let space = PageSection {
         title: "Patterns".to_owned(),
         intro: format!(
             "{} Ours, the published form and the Multi-Triangulation are measured in memory, including \
@@ -25,12 +25,12 @@ pub(in super::super) fn sections(report: &PatternsReport) -> Result<Vec<Section>
             report.about(),
         ),
         blocks: vec![
-            Block::bars(&bits_chart(report), "Bits per fragment in each form")?,
-            Block::bars(&bytes_chart(report), "Bytes per vertex of each model")?,
-            Block::WideTable(table(report)),
+            PageBlock::bars(&bits_chart(report), "Bits per fragment in each form")?,
+            PageBlock::bars(&bytes_chart(report), "Bytes per vertex of each model")?,
+            PageBlock::WideTable(table(report)),
         ],
     };
-    let time = Section {
+    let time = PageSection {
         title: "Extraction of patterns".to_owned(),
         intro: format!(
             "Time from a new base instance to the coarsest surface within an error limit, including \
@@ -40,8 +40,8 @@ pub(in super::super) fn sections(report: &PatternsReport) -> Result<Vec<Section>
             report.extracted_from
         ),
         blocks: vec![
-            Block::chart(&time_chart(report), "Time per triangle by triangles extracted")?,
-            Block::WideTable(extraction_table(report)),
+            PageBlock::chart(&time_chart(report), "Time per triangle by triangles extracted")?,
+            PageBlock::WideTable(extraction_table(report)),
         ],
     };
     Ok(vec![space, time])
@@ -90,9 +90,9 @@ fn time_chart(report: &PatternsReport) -> Chart {
         let time = row.models.iter().find(|time| time.name == name)?;
         Some((row.triangle_count as f64, time.ns_per_triangle?))
     };
-    let series: Vec<Series> = NAMES
+    let series: Vec<PlotSeries> = NAMES
         .into_iter()
-        .map(|name| Series {
+        .map(|name| PlotSeries {
             name: name.to_owned(),
             points: report.extraction.iter().filter_map(|row| point(row, name)).collect(),
             spread: Vec::new(),

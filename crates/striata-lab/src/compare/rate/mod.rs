@@ -20,8 +20,8 @@ use self::coded::{CodedMesh, Coder, RUNS, stream_name};
 use self::distance_meter::{DistanceMeter, RateRow};
 use self::draco::Draco;
 use self::streams::Streams;
-use super::page::{Block, Section};
-use super::plot::{Chart, Series};
+use super::page::{PageBlock, PageSection};
+use super::plot::{Chart, PlotSeries};
 use super::scale::Scale;
 use crate::args::RateArgs;
 use striata_command::failure::Failure;
@@ -194,17 +194,17 @@ fn with_head(head: &[&str], rows: impl Iterator<Item = Vec<String>>) -> Vec<Vec<
 ///
 /// # Errors
 /// If a chart cannot be drawn.
-pub(super) fn section(report: &RateReport) -> Result<Section, Failure> {
+pub(super) fn section(report: &RateReport) -> Result<PageSection, Failure> {
     if report.rate.is_empty() {
-        return Ok(Section {
+        return Ok(PageSection {
             title: "Sizes of whole files".to_owned(),
             intro: format!(
                 "Positions only. Decoding times are the fastest of up to {RUNS} runs on one core."
             ),
-            blocks: vec![Block::WideTable(size_table(report))],
+            blocks: vec![PageBlock::WideTable(size_table(report))],
         });
     }
-    Ok(Section {
+    Ok(PageSection {
         title: "Distance after a number of bytes".to_owned(),
         intro: format!(
             "Distance between the mesh and what can be shown after a number of bytes, positions only, as \
@@ -217,13 +217,16 @@ pub(super) fn section(report: &RateReport) -> Result<Section, Failure> {
             FILE_BITS.map(|bits| bits.to_string()).join(", ")
         ),
         blocks: vec![
-            Block::chart(&chart(report, "RMS, % of the diagonal", |row| row.rms), "RMS distance by bytes")?,
-            Block::chart(
+            PageBlock::chart(
+                &chart(report, "RMS, % of the diagonal", |row| row.rms),
+                "RMS distance by bytes",
+            )?,
+            PageBlock::chart(
                 &chart(report, "largest, % of the diagonal", |row| row.max),
                 "Largest distance by bytes",
             )?,
-            Block::WideTable(size_table(report)),
-            Block::WideTable(rate_table(report)),
+            PageBlock::WideTable(size_table(report)),
+            PageBlock::WideTable(rate_table(report)),
         ],
     })
 }
@@ -231,13 +234,13 @@ pub(super) fn section(report: &RateReport) -> Result<Section, Failure> {
 fn chart(report: &RateReport, y_title: &'static str, distance: fn(&RateRow) -> f64) -> Chart {
     // Exact results have no place on a logarithmic scale, so small distances are clamped.
     let point = |row: &RateRow| (row.bytes as f64, distance(row).max(1e-5));
-    let mut series: Vec<Series> = Vec::new();
+    let mut series: Vec<PlotSeries> = Vec::new();
     for row in &report.rate {
         match series.iter_mut().find(|series| series.name == row.name) {
             Some(series) => series.points.push(point(row)),
             None => {
                 let (name, points) = (row.name.clone(), vec![point(row)]);
-                series.push(Series { name, points, spread: Vec::new() });
+                series.push(PlotSeries { name, points, spread: Vec::new() });
             }
         }
     }

@@ -5,13 +5,14 @@ use std::time::Instant;
 use striata::ProgressFn;
 use striata::mesh::{IndexedMesh, RefinableMesh};
 use striata::simplify::{BatchOptions, build_batches_with_progress};
-use striata_stream::{Effort, Precision, SHAPE_STEPS, StreamError, StreamInfo, StreamOptions, encode_stream};
+use striata_stream::{
+    Effort, Precision, SHAPE_STEPS, StreamError, StreamInfo, StreamLevels, StreamOptions, encode_stream,
+};
 
 use super::coded::{CodedMesh, fastest, stream_name};
 use super::distance_meter::{DistanceMeter, RateRow};
 use striata_command::failure::Failure;
 use striata_command::output::Bar;
-use striata_command::stream::DecodedStream;
 
 /// Number of prefixes measured per stream.
 const PREFIXES: i32 = 12;
@@ -63,8 +64,12 @@ impl Streams {
         let started = Instant::now();
         let bytes = self.encode(bits, effort)?;
         let encode_secs = self.simplify_secs + started.elapsed().as_secs_f64();
-        let decode_secs = fastest(|| Ok(DecodedStream::read_all(&bytes)?.decode_secs))?;
-        let mesh = DecodedStream::read_all(&bytes)?.steps()?.into_mesh();
+        let decode_secs = fastest(|| {
+            let started = Instant::now();
+            StreamLevels::decoded(&bytes)?;
+            Ok(started.elapsed().as_secs_f64())
+        })?;
+        let mesh = StreamLevels::decoded(&bytes)?.into_steps()?.into_mesh();
         Ok(CodedMesh { bytes: bytes.len(), mesh, encode_secs, decode_secs })
     }
 
@@ -86,7 +91,7 @@ impl Streams {
         for i in 0..PREFIXES {
             let length = base * ratio.powf(f64::from(i) / f64::from(PREFIXES - 1));
             let length = (length.round() as usize).clamp(base as usize, bytes.len());
-            let shown = DecodedStream::read_all(&bytes[..length])?.steps()?.into_mesh();
+            let shown = StreamLevels::decoded(&bytes[..length])?.into_steps()?.into_mesh();
             rows.extend(meter.row(&name, length, &shown));
         }
         Ok(rows)

@@ -1,13 +1,13 @@
 //! Charts of views: times along the paths, memory, and what the time of a frame depends on.
 
 use super::super::bars;
-use super::super::page::{Block, MeshPart, Section};
-use super::super::plot::{Chart, Series};
+use super::super::page::{MeshPart, PageBlock, PageSection};
+use super::super::plot::{Chart, PlotSeries};
 use super::super::scale::Scale;
 use super::figures::Figures;
 use super::followers::{NAMES, UNIFORM};
 use super::report::{PathReport, READING, ViewsReport};
-use super::scenario::Run;
+use super::scenario::ScenarioRun;
 use super::{costs, memory};
 use striata_command::failure::Failure;
 use striata_command::output::format_count;
@@ -19,8 +19,8 @@ const BIN_COUNT: usize = 16;
 ///
 /// # Errors
 /// If a chart cannot be drawn.
-pub(in super::super) fn sections(report: &ViewsReport) -> Result<Vec<Section>, Failure> {
-    let mut sections = vec![Section {
+pub(in super::super) fn sections(report: &ViewsReport) -> Result<Vec<PageSection>, Failure> {
+    let mut sections = vec![PageSection {
         title: "Views".to_owned(),
         intro: format!(
             "Models that follow a camera along recorded paths, {screen} x {screen} pixels, 60 degrees \
@@ -41,7 +41,7 @@ pub(in super::super) fn sections(report: &ViewsReport) -> Result<Vec<Section>, F
     sections.push(activity_section(report)?);
     sections.push(refinement_section(report)?);
     let bars: &bars::BarChart = &memory::chart(&report.memory);
-    sections.push(Section {
+    sections.push(PageSection {
         title: "Memory of views".to_owned(),
         intro: "Bytes per vertex of the full mesh. Static data is shared by all instances; each instance \
                 owns the rest, measured at its maximum on the orbit at 1 pixel. A fan instance owns a \
@@ -50,14 +50,14 @@ pub(in super::super) fn sections(report: &ViewsReport) -> Result<Vec<Section>, F
                 vertex and 112 per active vertex of VDPM are from [Cor01] (figure 5 and section 4.1)."
             .to_owned(),
         blocks: vec![
-            Block::bars(bars, "Bytes per vertex of each model")?,
-            Block::WideTable(memory::table(&report.memory)),
+            PageBlock::bars(bars, "Bytes per vertex of each model")?,
+            PageBlock::WideTable(memory::table(&report.memory)),
         ],
     });
     Ok(sections)
 }
 
-fn path_section(path: &PathReport) -> Result<Section, Failure> {
+fn path_section(path: &PathReport) -> Result<PageSection, Failure> {
     let frames = path.frame_count as f64;
     let chart = |y_title: &'static str, values: &dyn Fn(&Figures) -> Vec<f64>| {
         let lines = path.contenders.iter().map(|contender| {
@@ -68,7 +68,7 @@ fn path_section(path: &PathReport) -> Result<Section, Failure> {
             });
             line(contender.name, points)
         });
-        let series: Vec<Series> = lines.collect();
+        let series: Vec<PlotSeries> = lines.collect();
         let y = Scale::log(series.iter().flat_map(|series| series.points.iter().map(|&(_, y)| y)));
         let x = Scale::at(&[0.0, 0.25, 0.5, 0.75, 1.0].map(|share| (share * frames).round()));
         Chart { x_title: "frame", y_title, x, y, series }
@@ -79,19 +79,19 @@ fn path_section(path: &PathReport) -> Result<Section, Failure> {
     });
     let triangles =
         chart("triangles", &|figures| figures.series.triangles.iter().map(|&count| count as f64).collect());
-    Ok(Section {
+    Ok(PageSection {
         title: format!("View: {}", path.title()),
         intro: format!("{} frames {}; {} rounds.", path.frame_count, path.path.about(), path.rounds),
         blocks: vec![
-            Block::chart(&times, "Time of each frame")?,
-            Block::chart(&triangles, "Triangles by frame")?,
-            Block::WideTable(path.table()),
+            PageBlock::chart(&times, "Time of each frame")?,
+            PageBlock::chart(&triangles, "Triangles by frame")?,
+            PageBlock::WideTable(path.table()),
         ],
     })
 }
 
 /// The chart of what the time of a frame depends on.
-fn activity_section(report: &ViewsReport) -> Result<Section, Failure> {
+fn activity_section(report: &ViewsReport) -> Result<PageSection, Failure> {
     let by_changes = report.paths.iter().map(|path| {
         let fans = path.contenders.first().and_then(|contender| contender.run.as_ref());
         let points = fans.map_or_else(Vec::new, |run| {
@@ -108,20 +108,20 @@ fn activity_section(report: &ViewsReport) -> Result<Section, Failure> {
     });
     let by_changes = log_log("steps evaluated and changed", "criterion and update, ms", by_changes.collect());
     let by_active = log_log("triangles shown", "criterion and update, ms", by_active.collect());
-    Ok(Section {
+    Ok(PageSection {
         title: "What a frame depends on".to_owned(),
         intro: "Frames grouped by how much work they have, with the mean of each group. On the left, \
                 fans on all paths, by the steps that they evaluate and change; on the right, all models \
                 on the orbits, by the triangles shown."
             .to_owned(),
         blocks: vec![
-            Block::chart(&by_changes, "Time by steps evaluated and changed")?,
-            Block::chart(&by_active, "Time by triangles shown")?,
+            PageBlock::chart(&by_changes, "Time by steps evaluated and changed")?,
+            PageBlock::chart(&by_active, "Time by triangles shown")?,
         ],
     })
 }
 
-fn refinement_section(report: &ViewsReport) -> Result<Section, Failure> {
+fn refinement_section(report: &ViewsReport) -> Result<PageSection, Failure> {
     let of = |name: &'static str, secs: fn(&costs::Cost) -> f64| {
         let all = report.refinement.iter().flat_map(|row| &row.contenders).filter(|cost| cost.name == name);
         let mut points: Vec<(f64, f64)> = all.map(|cost| (cost.triangles as f64, secs(cost))).collect();
@@ -132,7 +132,7 @@ fn refinement_section(report: &ViewsReport) -> Result<Section, Failure> {
     let emission = NAMES.iter().map(|&name| line(name, of(name, |cost| cost.emission_ms)));
     let whole = log_log("triangles shown", "refinement and emission, ms", series.collect());
     let emission = log_log("triangles shown", "emission, ms", emission.collect());
-    Ok(Section {
+    Ok(PageSection {
         title: "Refinement from the base".to_owned(),
         intro: "One view, with errors from 32 pixels down to a quarter of one: the time to get there \
                 from the base mesh, as in figure 6 of [Cor01]. Uniform is one level for the whole mesh, \
@@ -140,9 +140,9 @@ fn refinement_section(report: &ViewsReport) -> Result<Section, Failure> {
                 only."
             .to_owned(),
         blocks: vec![
-            Block::chart(&whole, "Time of refinement and emission by triangles")?,
-            Block::chart(&emission, "Time of emission by triangles")?,
-            Block::WideTable(costs::table(&report.refinement)),
+            PageBlock::chart(&whole, "Time of refinement and emission by triangles")?,
+            PageBlock::chart(&emission, "Time of emission by triangles")?,
+            PageBlock::WideTable(costs::table(&report.refinement)),
         ],
     })
 }
@@ -171,7 +171,7 @@ pub(in super::super) fn by_size(reports: &[&ViewsReport]) -> Result<Option<MeshP
     let times = chart("criterion and update, ms", |figures| figures.criterion_ms + figures.update_ms);
     let shown = chart("triangles shown", |figures| figures.triangles);
     let title = reports[0].paths.first().map_or_else(String::new, PathReport::title);
-    let section = Section {
+    let section = PageSection {
         title: "Views by the size of the mesh".to_owned(),
         intro: format!(
             "Means over the same path around each mesh ({title}). Following a view should cost time in \
@@ -179,8 +179,8 @@ pub(in super::super) fn by_size(reports: &[&ViewsReport]) -> Result<Option<MeshP
              the triangles shown."
         ),
         blocks: vec![
-            Block::chart(&times, "Time by the size of the mesh")?,
-            Block::chart(&shown, "Triangles shown by the size of the mesh")?,
+            PageBlock::chart(&times, "Time by the size of the mesh")?,
+            PageBlock::chart(&shown, "Triangles shown by the size of the mesh")?,
         ],
     };
     Ok(Some(MeshPart {
@@ -190,18 +190,18 @@ pub(in super::super) fn by_size(reports: &[&ViewsReport]) -> Result<Option<MeshP
     }))
 }
 
-fn line(name: &str, points: Vec<(f64, f64)>) -> Series {
-    Series { name: name.to_owned(), points, spread: Vec::new() }
+fn line(name: &str, points: Vec<(f64, f64)>) -> PlotSeries {
+    PlotSeries { name: name.to_owned(), points, spread: Vec::new() }
 }
 
-fn log_log(x_title: &'static str, y_title: &'static str, series: Vec<Series>) -> Chart {
+fn log_log(x_title: &'static str, y_title: &'static str, series: Vec<PlotSeries>) -> Chart {
     let all = || series.iter().flat_map(|series| series.points.iter().copied());
     let (x, y) = (Scale::log(all().map(|point| point.0)), Scale::log(all().map(|point| point.1)));
     Chart { x_title, y_title, x, y, series }
 }
 
 /// Points of all frames except the first: a count, and the time in milliseconds.
-fn points(run: &Run, of: impl Fn(usize) -> (usize, f64)) -> Vec<(f64, f64)> {
+fn points(run: &ScenarioRun, of: impl Fn(usize) -> (usize, f64)) -> Vec<(f64, f64)> {
     run.later_frames().map(of).map(|(count, secs)| (count as f64, 1e3 * secs)).collect()
 }
 

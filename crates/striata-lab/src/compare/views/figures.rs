@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::super::walks::{mean, thinned};
-use super::scenario::Run;
+use super::scenario::ScenarioRun;
 
 /// Figures of one follower in one scenario.
 #[derive(Clone, Debug, Serialize)]
@@ -79,7 +79,12 @@ pub(super) const NORMAL_BYTES: f64 = 12.0;
 impl Figures {
     /// Computes the figures of a run, relative to those of fans, for a model of `static_bytes` and a mesh
     /// of `vertex_count`.
-    pub(super) fn new(run: &Run, fans: &Run, static_bytes: usize, vertex_count: usize) -> Self {
+    pub(super) fn new(
+        run: &ScenarioRun,
+        fans: &ScenarioRun,
+        static_bytes: usize,
+        vertex_count: usize,
+    ) -> Self {
         let bytes_per_vertex = static_bytes as f64 / vertex_count as f64;
         let frames = run.later_frames();
         let ms = |secs: &dyn Fn(usize) -> f64| 1e3 * mean(frames.clone().map(secs));
@@ -122,7 +127,7 @@ impl Figures {
 }
 
 impl Series {
-    fn of(run: &Run) -> Self {
+    fn of(run: &ScenarioRun) -> Self {
         let frame = thinned(run.triangles.len());
         let counts = |all: &[usize]| frame.iter().map(|&frame| all[frame]).collect();
         let ms = |all: &[f64]| frame.iter().map(|&frame| 1e3 * all[frame]).collect();

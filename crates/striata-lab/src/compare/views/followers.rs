@@ -34,7 +34,7 @@ pub(super) struct ForcedChanges {
 }
 
 /// A model with one instance that follows a camera.
-pub(super) trait Follower<'a> {
+pub(super) trait ModelFollower<'a> {
     /// Resets to the base, as before the first frame.
     fn restart(&mut self);
 
@@ -113,7 +113,7 @@ impl<'r> Models<'r> {
     }
 
     /// A follower for each of [`NAMES`], or why it cannot be built.
-    pub(super) fn followers<'a>(&'a self) -> Vec<Result<Box<dyn Follower<'a> + 'a>, String>> {
+    pub(super) fn followers<'a>(&'a self) -> Vec<Result<Box<dyn ModelFollower<'a> + 'a>, String>> {
         let scene = self.scene();
         let vdpm = self.vdpm.as_ref().map_err(Clone::clone);
         vec![
@@ -124,7 +124,7 @@ impl<'r> Models<'r> {
             vdpm.map(|model| Vdpm::boxed(model, true)),
             self.published.as_ref().map_err(Clone::clone).map(|model| {
                 let follower = PublishedFollower { model, state: PublishedFansState::base(model) };
-                Box::new(follower) as Box<dyn Follower<'a> + 'a>
+                Box::new(follower) as Box<dyn ModelFollower<'a> + 'a>
             }),
             Ok(Box::new({
                 let scene = FanScene::new(&self.dependents, &self.refinable.mesh.positions);
@@ -141,7 +141,7 @@ struct Incremental<'a> {
     front: FanFront<LoggedCriterion<'a>>,
 }
 
-impl<'a> Follower<'a> for Incremental<'a> {
+impl<'a> ModelFollower<'a> for Incremental<'a> {
     fn restart(&mut self) {
         self.front = FanFront::new(&self.scene);
     }
@@ -180,7 +180,7 @@ impl<'a> Kept<'a> {
     }
 }
 
-impl<'a> Follower<'a> for Kept<'a> {
+impl<'a> ModelFollower<'a> for Kept<'a> {
     fn restart(&mut self) {
         *self = Self::new(self.incremental.scene);
     }
@@ -210,7 +210,7 @@ struct Stateless<'a> {
     instance: FanInstance,
 }
 
-impl<'a> Follower<'a> for Stateless<'a> {
+impl<'a> ModelFollower<'a> for Stateless<'a> {
     fn restart(&mut self) {
         self.instance = FanInstance::uniform(self.scene.fans(), 0);
     }
@@ -239,12 +239,12 @@ struct Vdpm<'a> {
 }
 
 impl<'a> Vdpm<'a> {
-    fn boxed(model: &'a ViewDependentMeshes, keeps_verdicts: bool) -> Box<dyn Follower<'a> + 'a> {
+    fn boxed(model: &'a ViewDependentMeshes, keeps_verdicts: bool) -> Box<dyn ModelFollower<'a> + 'a> {
         Box::new(Self { model, state: model.base_state(), keeps_verdicts, last: None })
     }
 }
 
-impl<'a> Follower<'a> for Vdpm<'a> {
+impl<'a> ModelFollower<'a> for Vdpm<'a> {
     fn restart(&mut self) {
         (self.state, self.last) = (self.model.base_state(), None);
     }
@@ -276,7 +276,7 @@ struct PublishedFollower<'a> {
     state: PublishedFansState,
 }
 
-impl<'a> Follower<'a> for PublishedFollower<'a> {
+impl<'a> ModelFollower<'a> for PublishedFollower<'a> {
     fn restart(&mut self) {
         self.state = PublishedFansState::base(self.model);
     }
@@ -306,7 +306,7 @@ struct Uniform<'a> {
     level: FansLevel,
 }
 
-impl<'a> Follower<'a> for Uniform<'a> {
+impl<'a> ModelFollower<'a> for Uniform<'a> {
     fn restart(&mut self) {
         self.fans.move_to(&mut self.level, 0);
     }

@@ -9,7 +9,7 @@ use super::super::bars::{BarChart, Bars};
 use super::super::papers::cor01_megabytes;
 use super::figures::{NORMAL_BYTES, PACKED_NORMAL_BYTES, POSITION_BYTES};
 use super::followers::{FANS, KEPT, Models, NAMES, PUBLISHED, STATELESS, UNIFORM, VDPM, VDPM_KEPT};
-use super::scenario::Run;
+use super::scenario::ScenarioRun;
 
 /// Memory of a model in bytes per vertex of the full mesh.
 #[derive(Clone, Debug, Serialize)]
@@ -47,7 +47,7 @@ fn bytes_of(model: &impl LodModel) -> usize {
 }
 
 /// Measures all models; `runs` are the followers' runs on the orbit.
-pub(super) fn measure(models: &Models<'_>, runs: &[Option<Run>]) -> Vec<MemoryRow> {
+pub(super) fn measure(models: &Models<'_>, runs: &[Option<ScenarioRun>]) -> Vec<MemoryRow> {
     let mesh = &models.refinable.mesh;
     let per_vertex = |bytes: usize| bytes as f64 / mesh.vertex_count().max(1) as f64;
     let row = |name, model: usize, paper: Option<f64>, instance: usize| MemoryRow {

@@ -78,13 +78,13 @@ impl Path {
     }
 
     /// The frames of the path around a mesh.
-    pub(super) fn frames(self, mesh: &IndexedMesh) -> Vec<Frame> {
+    pub(super) fn frames(self, mesh: &IndexedMesh) -> Vec<PathFrame> {
         let extent = MeshExtent::of(mesh);
         let count = self.frame_count();
         (0..count).map(|frame| self.frame(&extent, frame as f64, count as f64)).collect()
     }
 
-    fn frame(self, extent: &MeshExtent, frame: f64, count: f64) -> Frame {
+    fn frame(self, extent: &MeshExtent, frame: f64, count: f64) -> PathFrame {
         match self {
             Self::Orbit => extent.around(frame, frame / count),
             Self::Jumps => extent.around(90.0 * frame, frame / count),
@@ -121,23 +121,23 @@ impl MeshExtent {
     }
 
     /// A view of the center from an angle in degrees, at `share` of the cycle from near to far and back.
-    fn around(&self, degrees: f64, share: f64) -> Frame {
+    fn around(&self, degrees: f64, share: f64) -> PathFrame {
         let (sin, cos) = sin_cos(degrees);
         let [near, far] = ORBIT;
         let distance = self.diagonal * (near + (far - near) * 0.5 * (1.0 - sin_cos(360.0 * share).1));
         let eye = plus(self.center, [sin, 0.0, cos], distance);
-        Frame::new(eye, self.center)
+        PathFrame::new(eye, self.center)
     }
 
     /// A view of the ground at `share` of the way down; the distance is the reciprocal of a linear function.
-    fn above(&self, share: f64) -> Frame {
+    fn above(&self, share: f64) -> PathFrame {
         let [far, near] = DIVE;
         let distance = self.diagonal * far / (1.0 + (far / near - 1.0) * share);
-        Frame::new(plus(self.ground, DIVE_DIRECTION, distance), self.ground)
+        PathFrame::new(plus(self.ground, DIVE_DIRECTION, distance), self.ground)
     }
 
-    fn inside(&self, degrees: f64) -> Frame {
-        Frame::new(self.on_eight(degrees), self.on_eight(degrees + AHEAD))
+    fn inside(&self, degrees: f64) -> PathFrame {
+        PathFrame::new(self.on_eight(degrees), self.on_eight(degrees + AHEAD))
     }
 
     /// A point on the walk through the inside.
@@ -149,14 +149,14 @@ impl MeshExtent {
 
 /// A camera position and the point it looks at.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Frame {
+pub(super) struct PathFrame {
     eye: [f32; 3],
     target: [f32; 3],
     /// Directions to the right, upward and into the picture.
     axes: [[f64; 3]; 3],
 }
 
-impl Frame {
+impl PathFrame {
     const UP: [f64; 3] = [0.0, 1.0, 0.0];
 
     fn new(eye: [f64; 3], target: [f64; 3]) -> Self {
@@ -294,7 +294,7 @@ mod tests {
         assert!(above.is_sorted_by(|a, b| a > b));
         let last = above[above.len() - 1];
         assert!((0.015..=0.0201).contains(&last), "{last}");
-        let seen = |frame: &Frame| {
+        let seen = |frame: &PathFrame| {
             let facing = |p: &&[f32; 3]| dot(p.map(f64::from), minus(frame.eye(), p.map(f64::from))) > 0.0;
             let is_in = |p: &[f32; 3]| frame.pixels_at(p.map(f64::from)).is_some();
             mesh.positions.iter().filter(facing).filter(|p| is_in(p)).count()

@@ -7,7 +7,7 @@ use super::figures::Figures;
 use super::followers::{FANS, Models, NAMES};
 use super::memory::{self, MemoryRow};
 use super::paths::Path;
-use super::scenario::{Run, Scenario};
+use super::scenario::{Scenario, ScenarioRun};
 use striata_command::output::format_count;
 
 /// The report of one mesh.
@@ -46,7 +46,7 @@ pub(super) struct FollowerReport {
     pub figures: Option<Figures>,
     /// Measurements of every frame.
     #[serde(skip)]
-    pub run: Option<Run>,
+    pub run: Option<ScenarioRun>,
 }
 
 pub(super) fn pixels_word(pixels: f32) -> &'static str {
@@ -57,7 +57,7 @@ impl PathReport {
     pub(super) fn new(
         scenario: Scenario,
         models: &Models<'_>,
-        runs: Vec<Option<Run>>,
+        runs: Vec<Option<ScenarioRun>>,
         rounds: usize,
     ) -> Self {
         let vertex_count = models.refinable.mesh.vertex_count().max(1);

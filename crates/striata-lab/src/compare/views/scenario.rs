@@ -10,9 +10,9 @@ use std::time::Instant;
 use striata::mesh::{IndexedMesh, canonical_triangles};
 use striata::view::ScreenError;
 
-use super::followers::{FANS, Follower, KEPT, Models, NAMES, STATELESS, VDPM, VDPM_KEPT, View};
+use super::followers::{FANS, KEPT, ModelFollower, Models, NAMES, STATELESS, VDPM, VDPM_KEPT, View};
 use super::logged_criterion::QueryLog;
-use super::paths::{Frame, Path};
+use super::paths::{Path, PathFrame};
 use super::screen_errors::{ScreenErrors, VisiblePoints};
 use striata_command::failure::Failure;
 
@@ -36,7 +36,7 @@ pub(super) struct Scenario {
 
 /// Measurements of one follower in one scenario, by frame.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Run {
+pub(super) struct ScenarioRun {
     /// Seconds to evaluate the criterion and apply changes, fastest round.
     pub follow_secs: Vec<f64>,
     /// Seconds to evaluate the criterion, measured separately.
@@ -59,7 +59,7 @@ pub(super) struct Run {
 
 /// The frames of a scenario with the criterion and uniform level of each.
 struct ScenarioFrames {
-    frames: Vec<Frame>,
+    frames: Vec<PathFrame>,
     screens: Vec<ScreenError>,
     split_counts: Vec<usize>,
 }
@@ -69,13 +69,13 @@ impl ScenarioFrames {
         let mesh = &models.refinable.mesh;
         let frames = scenario.path.frames(mesh);
         let model = models.scene().sphere();
-        let screen = |frame: &Frame| {
+        let screen = |frame: &PathFrame| {
             let camera = frame.camera().map_err(|error| Failure::internal(error.to_string()))?;
             Ok::<_, Failure>(ScreenError::new(camera, scenario.pixels).with_model_bounds(model))
         };
         let screens = frames.iter().map(screen).collect::<Result<_, _>>()?;
         let sequence = &models.refinable.sequence;
-        let split_count = |frame: &Frame| match max_pixels_per_unit(mesh, frame) {
+        let split_count = |frame: &PathFrame| match max_pixels_per_unit(mesh, frame) {
             Some(pixels) => sequence.split_count_for_error(f64::from(scenario.pixels) / pixels),
             None => 0,
         };
@@ -95,7 +95,7 @@ impl ScenarioFrames {
 }
 
 /// The largest number of pixels per unit length at any visible vertex, which is where the surface is nearest.
-fn max_pixels_per_unit(mesh: &IndexedMesh, frame: &Frame) -> Option<f64> {
+fn max_pixels_per_unit(mesh: &IndexedMesh, frame: &PathFrame) -> Option<f64> {
     mesh.positions.iter().filter_map(|point| frame.pixels_at(point.map(f64::from))).reduce(f64::max)
 }
 
@@ -108,10 +108,10 @@ impl Scenario {
         self,
         models: &Models<'_>,
         show: &mut dyn FnMut(f64),
-    ) -> Result<(Vec<Option<Run>>, usize), Failure> {
+    ) -> Result<(Vec<Option<ScenarioRun>>, usize), Failure> {
         let scenario_frames = ScenarioFrames::new(self, models)?;
         let log = QueryLog::default();
-        let mut followers: Vec<Option<Box<dyn Follower<'_> + '_>>> =
+        let mut followers: Vec<Option<Box<dyn ModelFollower<'_> + '_>>> =
             models.followers().into_iter().map(Result::ok).collect();
         let mut runs = rehearse(&scenario_frames, models, &mut followers, &log)?;
         let started = Instant::now();
@@ -137,12 +137,14 @@ impl Scenario {
 fn rehearse<'a>(
     scenario_frames: &'a ScenarioFrames,
     models: &Models<'_>,
-    followers: &mut [Option<Box<dyn Follower<'a> + 'a>>],
+    followers: &mut [Option<Box<dyn ModelFollower<'a> + 'a>>],
     log: &'a QueryLog,
-) -> Result<Vec<Option<Run>>, Failure> {
+) -> Result<Vec<Option<ScenarioRun>>, Failure> {
     let mesh = &models.refinable.mesh;
-    let mut runs: Vec<Option<Run>> =
-        followers.iter().map(|follower| follower.as_ref().map(|_| Run::of(scenario_frames))).collect();
+    let mut runs: Vec<Option<ScenarioRun>> = followers
+        .iter()
+        .map(|follower| follower.as_ref().map(|_| ScenarioRun::of(scenario_frames)))
+        .collect();
     for (frame, camera_frame) in scenario_frames.frames.iter().enumerate() {
         let points = scenario_frames.is_inspected(frame).then(|| VisiblePoints::new(mesh, camera_frame));
         let mut shown: Vec<(Vec<[u32; 3]>, ScreenErrors)> = Vec::new();
@@ -184,7 +186,7 @@ fn rehearse<'a>(
     Ok(runs)
 }
 
-impl Run {
+impl ScenarioRun {
     fn of(scenario_frames: &ScenarioFrames) -> Self {
         let unmeasured = vec![f64::INFINITY; scenario_frames.frames.len()];
         Self { follow_secs: unmeasured.clone(), emission_secs: unmeasured, ..Self::default() }
@@ -194,7 +196,7 @@ impl Run {
     fn time<'a>(
         &mut self,
         scenario_frames: &'a ScenarioFrames,
-        follower: &mut (dyn Follower<'a> + 'a),
+        follower: &mut (dyn ModelFollower<'a> + 'a),
         buffer: &mut Vec<u32>,
     ) {
         follower.restart();

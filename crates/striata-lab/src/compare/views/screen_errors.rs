@@ -8,7 +8,7 @@
 
 use striata::mesh::{IndexedMesh, MeshError, TriangleTree};
 
-use super::paths::{Frame, cross, dot, minus};
+use super::paths::{PathFrame, cross, dot, minus};
 
 /// Maximum number of points per frame; if there are more, every second or third is used, and so on.
 const MAX_POINTS: usize = 40_000;
@@ -28,7 +28,7 @@ pub(super) struct VisiblePoints {
 
 impl VisiblePoints {
     /// Samples the points of a frame.
-    pub(super) fn new(mesh: &IndexedMesh, frame: &Frame) -> Self {
+    pub(super) fn new(mesh: &IndexedMesh, frame: &PathFrame) -> Self {
         let mut is_seen = vec![false; mesh.vertex_count()];
         let mut points = Vec::new();
         let mut add = |point: [f64; 3]| {

@@ -18,7 +18,7 @@ use super::instance::{AchievedLevel, LevelRequest, ModelInstance};
 use super::loader::{Job, JobProgress, OpenAs, Outcome, Task, Waker};
 use super::mesh_subject::MeshSubject;
 use super::orbit::{Orbit, Up};
-use super::plots::{History, Sample};
+use super::plots::{PlotHistory, Sample};
 use super::scene::{Playback, SceneRequest, SceneSubject, ShownScene};
 use super::scene_renderer::{InspectionMode, SceneRenderer};
 use super::state::{GoalKind, ViewerState};
@@ -73,7 +73,7 @@ pub(super) struct Viewer {
     pub file: Option<usize>,
     /// The last failure, until it is dismissed.
     pub failure: Option<Failure>,
-    pub history: History,
+    pub history: PlotHistory,
     pub area: PictureArea,
     /// Name of the graphics adapter.
     pub adapter: String,
@@ -103,7 +103,7 @@ impl Viewer {
             files,
             file: None,
             failure: None,
-            history: History::default(),
+            history: PlotHistory::default(),
             area,
             adapter: String::new(),
             quits: false,

@@ -2,7 +2,7 @@
 
 use super::StriataFile;
 use crate::file::{DecodeError, SectionKind};
-use crate::mesh::{FragmentedMesh, Levels};
+use crate::mesh::{FragmentedMesh, LevelTable};
 use crate::model::patterns::{HEADER_LEN, PatternsParts};
 use crate::model::{LodModel, ModelKind, Patterns};
 
@@ -50,10 +50,10 @@ impl StriataFile<'_> {
     }
 
     /// The levels with the given triangle counts, which are those of a model.
-    pub(super) fn levels_of(&self, triangle_counts: Vec<u32>) -> Result<Levels, DecodeError> {
+    pub(super) fn levels_of(&self, triangle_counts: Vec<u32>) -> Result<LevelTable, DecodeError> {
         let base = self.summary.base_position_count;
         let errors = self.errors()?.into_owned();
-        let levels = Levels::new(self.position_index()?, base, triangle_counts, errors)?;
+        let levels = LevelTable::new(self.position_index()?, base, triangle_counts, errors)?;
         let kind = SectionKind::SUMMARY;
         self.expect(kind, "base vertices", self.summary.base_vertex_count, levels.base_vertex_count())?;
         self.expect(kind, "base triangles", self.summary.base_triangle_count, levels.triangle_count_at(0))?;

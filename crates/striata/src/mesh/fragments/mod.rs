@@ -18,7 +18,7 @@ mod replay_fragments;
 pub use replay_fragments::{fragment_faces, replay_fragments};
 
 use super::sequence_error::check_length;
-use super::{IndexedMesh, Levels, PositionIndex, SequenceError, canonical_triangle};
+use super::{IndexedMesh, LevelTable, PositionIndex, SequenceError, canonical_triangle};
 
 /// A triangle that appears in some levels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -86,7 +86,7 @@ pub struct Fragment {
 /// Fragments in refinement order, with an index for every face.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FragmentSequence {
-    levels: Levels,
+    levels: LevelTable,
     /// Faces of the base mesh, then those of the ceilings.
     faces: Vec<Face>,
     /// Index of the first face of each step's ceiling, followed by the number of faces.
@@ -123,13 +123,13 @@ impl FragmentSequence {
         for step in (1..errors.len()).rev() {
             errors[step - 1] = errors[step - 1].max(errors[step]);
         }
-        let levels = Levels::new(positions, base_position_count, triangle_counts, errors)?;
+        let levels = LevelTable::new(positions, base_position_count, triangle_counts, errors)?;
         Ok(Self { levels, faces, first_ceiling, floors, first_floor, floor_errors })
     }
 
     /// Sizes and errors of the levels; the error of a level is the largest floor error of the steps that
     /// are not applied.
-    pub fn levels(&self) -> &Levels {
+    pub fn levels(&self) -> &LevelTable {
         &self.levels
     }
 
@@ -188,7 +188,7 @@ impl FragmentSequence {
         }
         let counts = (0..=self.step_count()).map(|s| self.levels.triangle_count_at(s) as u32).collect();
         let (positions, base) = (self.levels.positions().clone(), self.levels.base_position_count());
-        Ok(Self { levels: Levels::new(positions, base, counts, errors)?, floor_errors, ..self.clone() })
+        Ok(Self { levels: LevelTable::new(positions, base, counts, errors)?, floor_errors, ..self.clone() })
     }
 
     /// The step that creates a face; `None` for a face of the base mesh.

@@ -63,6 +63,14 @@ struct StepBatch {
     verdicts: Vec<Verdict>,
 }
 
+/// How many steps may change, and whether all changes were possible.
+struct ChangeLimit<'a> {
+    /// Most steps that may change.
+    pub change_limit: usize,
+    /// Set to false if more would have to change.
+    pub is_whole: &'a mut bool,
+}
+
 impl<C: Criterion + Clone> FanFront<C> {
     /// Creates a front that shows the base mesh.
     pub fn new(scene: &FanScene<'_>) -> Self {
@@ -119,7 +127,12 @@ impl<C: Criterion + Clone> FanFront<C> {
         let mut start = 0;
         loop {
             while let Some(next) = self.gather_due(scene, start) {
-                self.evaluate(scene.fans, criterion, (change_limit, &mut is_whole), &mut update);
+                self.evaluate(
+                    scene.fans,
+                    criterion,
+                    ChangeLimit { change_limit, is_whole: &mut is_whole },
+                    &mut update,
+                );
                 // Children of wanted steps are finer, but may be in a chunk that has been scanned.
                 let first_listed = self.listed.drain(..).min();
                 start = first_listed.map_or(next, |step| next.min(step / CHUNK as u32));
@@ -143,7 +156,7 @@ impl<C: Criterion + Clone> FanFront<C> {
         &mut self,
         fans: &Fans,
         criterion: &C,
-        (change_limit, is_whole): (usize, &mut bool),
+        ChangeLimit { change_limit, is_whole }: ChangeLimit<'_>,
         update: &mut FanUpdate,
     ) {
         let mut batch = std::mem::take(&mut self.batch);

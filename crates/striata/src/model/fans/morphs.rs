@@ -56,6 +56,14 @@ pub struct FanMorphs {
     next: Vec<MovingStep>,
 }
 
+/// How two states are mixed, and for how many vertices.
+struct MixedCount {
+    /// The weights.
+    pub mix: Mix,
+    /// Number of vertices.
+    pub count: usize,
+}
+
 impl FanMorphs {
     /// Starts at rest with an instance. Each motion takes `frame_count` frames; with 0 or 1, every change
     /// is immediate.
@@ -157,7 +165,7 @@ impl FanMorphs {
     /// If `positions` or `out` does not cover all vertices, or the sequence belongs to a different mesh.
     pub fn positions_into(&self, sequence: &CollapseSequence, positions: &[[f32; 3]], out: &mut [[f32; 3]]) {
         let own = |vertex: usize, i: usize| positions[vertex][i];
-        self.write(sequence, (Mix::Linear, 3), own, out.as_flattened_mut());
+        self.write(sequence, MixedCount { mix: Mix::Linear, count: 3 }, own, out.as_flattened_mut());
     }
 
     /// Writes another attribute layer, like [`positions_into`](Self::positions_into) does for positions.
@@ -167,7 +175,7 @@ impl FanMorphs {
     /// # Panics
     /// If the layer or `out` does not cover all vertices, or the sequence belongs to a different mesh.
     pub fn layer_into(&self, sequence: &CollapseSequence, layer: &AttributeLayer, out: &mut [f32]) {
-        let shape = (Mix::of(layer), usize::from(layer.component_count));
+        let shape = MixedCount { mix: Mix::of(layer), count: usize::from(layer.component_count) };
         self.write(sequence, shape, |vertex, i| layer.get(vertex, i), out);
     }
 
@@ -209,7 +217,7 @@ impl FanMorphs {
     fn write(
         &self,
         sequence: &CollapseSequence,
-        (mix, count): (Mix, usize),
+        MixedCount { mix, count }: MixedCount,
         own: impl Fn(usize, usize) -> f32,
         out: &mut [f32],
     ) {

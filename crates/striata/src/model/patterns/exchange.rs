@@ -62,6 +62,14 @@ fn half_edge_of<N: Number>(rule: &RuleView<'_, N>, location: u32) -> u32 {
     rule.locate(location / MAX_RUN, location % MAX_RUN).expect("a run continues around its vertex")
 }
 
+/// A step and its record.
+struct HeadedStep<'a> {
+    /// Number of the step.
+    pub step: u32,
+    /// Its record.
+    pub head: &'a StepHead,
+}
+
 impl PatternInstance {
     /// Inserts a step whose floor is complete, replacing the floor's triangles by those of the ceiling. Calls
     /// `visit` with each link up, some of them twice.
@@ -201,7 +209,7 @@ impl PatternInstance {
         let head = patterns.records.head(step);
         let rule = patterns.rule_of(&head);
         let mut scratch = std::mem::take(&mut self.scratch);
-        self.read_ceiling(patterns, (step, &head), &mut scratch, true);
+        self.read_ceiling(patterns, HeadedStep { step, head: &head }, &mut scratch, true);
         of_rule!(rule, rule => self.show_floor(patterns, step, &rule, &scratch.locals));
         self.scratch = scratch;
         self.inserted.remove(step);
@@ -239,7 +247,7 @@ impl PatternInstance {
         out.extend(base[of_base..].iter().take_while(|overlap| overlap.upper == step));
         let head = patterns.records.head(step);
         let mut scratch = std::mem::take(&mut self.scratch);
-        self.read_ceiling(patterns, (step, &head), &mut scratch, false);
+        self.read_ceiling(patterns, HeadedStep { step, head: &head }, &mut scratch, false);
         of_rule!(patterns.rule_of(&head), rule => for j in 0..rule.floor_count() {
             let [a, b, c] = vertices_of(&scratch.locals, rule.floor(j));
             let youngest = a.max(b).max(c);
@@ -257,7 +265,7 @@ impl PatternInstance {
     fn read_ceiling(
         &mut self,
         patterns: &Patterns,
-        (step, head): (u32, &StepHead),
+        HeadedStep { step, head }: HeadedStep<'_>,
         scratch: &mut InstanceScratch,
         remove: bool,
     ) {

@@ -39,6 +39,16 @@ struct TraceScratch {
     lost: Vec<u32>,
 }
 
+/// The cost of a step, and the errors that it makes.
+struct StepErrors {
+    /// Cost of the collapse.
+    pub cost: f32,
+    /// Distance that the step adds.
+    pub own: f64,
+    /// Distance from the original.
+    pub measured: f64,
+}
+
 impl<'a> CellTrace<'a> {
     pub(super) fn new(union: &'a CellUnion, inside: &CellMesh) -> Self {
         let position_count = union.welded.positions.position_count();
@@ -90,7 +100,7 @@ impl<'a> CellTrace<'a> {
         for (i, (&v, cost)) in removed.iter().zip(costs).enumerate() {
             // A position that lost its last triangle by the step before has moved no surface itself.
             let own = if counts[i] == 0 { 0.0 } else { f64::from(cost.distance_squared).sqrt() * scale };
-            self.step(v, targets, (cost.cost, own, f64::from(errors[i])));
+            self.step(v, targets, StepErrors { cost: cost.cost, own, measured: f64::from(errors[i]) });
         }
     }
 
@@ -100,7 +110,7 @@ impl<'a> CellTrace<'a> {
     /// The error is the lesser of two estimates, neither of which falls from one step to those that depend on it. One
     /// adds up the steps below this one, as if their errors were independent, and is too large where they cancel out.
     /// The other takes the largest distance in the whole cell, and is too large where that is somewhere else.
-    fn step(&mut self, v: u32, targets: &[u32], (cost, own, measured): (f32, f64, f64)) {
+    fn step(&mut self, v: u32, targets: &[u32], StepErrors { cost, own, measured }: StepErrors) {
         let positions = &self.union.welded.positions;
         let mut scratch = std::mem::take(&mut self.scratch);
         scratch.star.clear();

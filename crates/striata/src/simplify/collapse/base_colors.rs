@@ -32,6 +32,14 @@ pub(in crate::simplify) struct ShownTriangle {
     pub points: [Vec3; 3],
 }
 
+/// A point of the texture of the material that a vertex has.
+#[derive(Clone, Copy)]
+struct TexturePoint {
+    vertex: u32,
+    /// Texture coordinates.
+    at: [f32; 2],
+}
+
 impl ShownTriangle {
     fn doubled_normal(&self) -> Vec3 {
         let [a, b, c] = self.points;
@@ -140,11 +148,11 @@ impl BaseColors {
 
     /// Whether two points show the same texture at nearly the same place.
     #[inline]
-    fn is_close(&self, (own, a): (u32, [f32; 2]), (other, b): (u32, [f32; 2]), pixel_area: f32) -> bool {
-        let material = self.material_of[own as usize];
+    fn is_close(&self, own: TexturePoint, other: TexturePoint, pixel_area: f32) -> bool {
+        let material = self.material_of[own.vertex as usize];
         let color = self.materials.get(material as usize).and_then(Option::as_ref);
-        material == self.material_of[other as usize]
-            && color.is_some_and(|color| color.is_close(a, b, pixel_area))
+        material == self.material_of[other.vertex as usize]
+            && color.is_some_and(|color| color.is_close(own.at, other.at, pixel_area))
     }
 
     /// Whether the color of a vertex is known and depends on its texture coordinates.
@@ -208,7 +216,12 @@ impl BaseColors {
                 let before = self.texcoords_in(triangle.vertices, weights);
                 let after = self.texcoords_in(shown.vertices, shown_weights);
                 let [own, other] = [triangle.vertices[0], shown.vertices[0]];
-                if self.is_close((own, before), (other, after), pixel_area) {
+                let is_close = self.is_close(
+                    TexturePoint { vertex: own, at: before },
+                    TexturePoint { vertex: other, at: after },
+                    pixel_area,
+                );
+                if is_close {
                     continue;
                 }
                 // A triangle that is stretched over an atlas would average out at its own size.

@@ -7,7 +7,7 @@ use crate::mesh::Welded;
 use super::collapse_choice::{CollapseChoice, CollapseKind};
 use super::cost_evaluator::{CostEvaluator, CostHistory};
 use super::links::LinkKind;
-use super::lost_positions::LostPositions;
+use super::lost_positions::{HalfEdge, LostPositions};
 use super::refinement_order::CollapseRecord;
 use super::witness::Witnesses;
 
@@ -139,7 +139,7 @@ impl CollapseExecutor {
     /// Squared error after a collapse that preserves the topology.
     fn strict_error(&mut self, evaluator: &mut CostEvaluator<'_>, v: u32, choice: &CollapseChoice) -> f32 {
         let own = choice.distance_squared;
-        let mut worst = self.witnesses.collapse(evaluator, (v, choice.target), &self.ring, own);
+        let mut worst = self.witnesses.collapse(evaluator, HalfEdge { v, u: choice.target }, &self.ring, own);
         if evaluator.has_relaxed() {
             evaluator.followers_into(choice.target, MIN_FOLLOWERS, &mut self.gone);
             worst = self.witnesses.remeasure(evaluator, &self.gone, &[], choice.target);
@@ -148,7 +148,7 @@ impl CollapseExecutor {
         if !evaluator.measures_outward() {
             return worst.max(protrusion);
         }
-        evaluator.update_outward_bounds((v, choice.target), &self.ring, choice, worst);
+        evaluator.update_outward_bounds(HalfEdge { v, u: choice.target }, &self.ring, choice, worst);
         choice.outward.map_or(worst, |outward| self.witnesses.raise(outward * outward))
     }
 
@@ -188,7 +188,7 @@ impl CollapseExecutor {
             }
         };
         let choice = CollapseChoice { outward, ..*choice };
-        evaluator.update_outward_bounds((v, choice.target), &self.ring, &choice, worst);
+        evaluator.update_outward_bounds(HalfEdge { v, u: choice.target }, &self.ring, &choice, worst);
         outward.map_or(worst, |outward| self.witnesses.raise(outward * outward))
     }
 

@@ -24,6 +24,14 @@ pub(in crate::simplify) struct LostPositions {
     pub points: Vec<Vec3>,
 }
 
+/// A collapse of a position to another.
+pub(in crate::simplify) struct HalfEdge {
+    /// The position that is removed.
+    pub v: u32,
+    /// The position that stays.
+    pub u: u32,
+}
+
 impl CostEvaluator<'_> {
     /// Records that a relaxed collapse has been applied.
     pub(in crate::simplify) fn mark_relaxed(&mut self) {
@@ -110,7 +118,7 @@ impl CostEvaluator<'_> {
     /// original mesh.
     pub(in crate::simplify) fn update_outward_bounds(
         &mut self,
-        (v, u): (u32, u32),
+        HalfEdge { v, u }: HalfEdge,
         ring: &[u32],
         choice: &CollapseChoice,
         worst: f32,

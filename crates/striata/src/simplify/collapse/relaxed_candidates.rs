@@ -33,6 +33,14 @@ const NEARLY_GONE_TRIANGLES: usize = 4;
 /// Upper limit of all costs, so that even the worst candidate remains finite.
 const MAX_COST: f32 = 1e30;
 
+/// A triangle that becomes a fin.
+struct FinOfTriangle {
+    /// The triangle.
+    pub own: u32,
+    /// Its normal, with twice its area as length.
+    pub doubled: Vec3,
+}
+
 impl CostEvaluator<'_> {
     /// Returns the cheapest collapse of `v` to any neighbor. Call it for positions without a strict
     /// target, immediately after [`Self::best_choice`].
@@ -222,7 +230,7 @@ impl CostEvaluator<'_> {
             let doubled = i.cross(j);
             let area = doubled.length() + f32::MIN_POSITIVE;
             let own = if self.wedges.is_some() { self.star.center_wedges[t] } else { v };
-            let (value, distance_squared) = self.fin_distance(v, u, (own, doubled), &edges);
+            let (value, distance_squared) = self.fin_distance(v, u, FinOfTriangle { own, doubled }, &edges);
             sum += area * value;
             area_sum += area;
             least = least.min(distance_squared);
@@ -244,7 +252,13 @@ impl CostEvaluator<'_> {
     /// Finds the replacement for `v` among the triangles of `u` with these opposite edges. Returns the
     /// least squared distance including differences of attributes and normals, and the least plain
     /// squared distance.
-    fn fin_distance(&self, v: u32, u: u32, (own, doubled): (u32, Vec3), edges: &[LinkEdge]) -> (f32, f32) {
+    fn fin_distance(
+        &self,
+        v: u32,
+        u: u32,
+        FinOfTriangle { own, doubled }: FinOfTriangle,
+        edges: &[LinkEdge],
+    ) -> (f32, f32) {
         let at = |p: u32| point(&self.positions, p) - point(&self.positions, v);
         let normal = doubled.normalize_or_zero();
         let (mut best, mut least) = (f32::INFINITY, f32::INFINITY);

@@ -12,6 +12,7 @@ use glam::Vec3;
 use super::cost_evaluator::CostEvaluator;
 use super::fan::point;
 use super::links::LinkEdge;
+use super::lost_positions::HalfEdge;
 use super::walk::{NearestStar, walk_to_nearest};
 
 const NONE: u32 = u32::MAX;
@@ -47,7 +48,7 @@ impl Witnesses {
     pub(in crate::simplify) fn collapse(
         &mut self,
         evaluator: &mut CostEvaluator<'_>,
-        (v, u): (u32, u32),
+        HalfEdge { v, u }: HalfEdge,
         ring: &[u32],
         own: f32,
     ) -> f32 {

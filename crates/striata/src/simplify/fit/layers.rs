@@ -119,23 +119,36 @@ pub(super) fn fit_layers(level: &mut IndexedMesh, pairs: &FitPairs, original: &I
         let source = original.layers.iter().find(|source| source.semantic == layer.semantic);
         let (Some(rule), Some(source)) = (rule, source) else { continue };
         if source.component_count == layer.component_count {
-            let forms = forms_of(rule, (layer, adjacency.triangles()), (source, &original.triangles), &pairs);
+            let forms = forms_of(
+                rule,
+                LayerOfMesh { layer, triangles: adjacency.triangles() },
+                LayerOfMesh { layer: source, triangles: &original.triangles },
+                &pairs,
+            );
             apply(rule, layer, &solve(&forms, &adjacency));
         }
     }
 }
 
+/// A layer, and the triangles whose corners have its values.
+#[derive(Clone, Copy)]
+struct LayerOfMesh<'m> {
+    layer: &'m AttributeLayer,
+    triangles: &'m [[u32; 3]],
+}
+
 /// Collects what the pairs wish for each triangle of the level.
 fn forms_of(
     rule: &FitRule,
-    (layer, triangles): (&AttributeLayer, &[[u32; 3]]),
-    (source, source_triangles): (&AttributeLayer, &[[u32; 3]]),
+    LayerOfMesh { layer, triangles }: LayerOfMesh<'_>,
+    original: LayerOfMesh<'_>,
     pairs: &[Pair],
 ) -> Vec<CornerForm<WIDTH>> {
     let mut forms = vec![CornerForm::default(); triangles.len()];
     for pair in pairs {
         let corners = triangles[pair.level.triangle as usize].map(|v| rule.value(layer, v));
-        let sources = source_triangles[pair.original.triangle as usize].map(|v| rule.value(source, v));
+        let sources =
+            original.triangles[pair.original.triangle as usize].map(|v| rule.value(original.layer, v));
         let now = rule.mixed(&corners, pair.level.shares);
         let wanted = rule.mixed(&sources, pair.original.shares);
         let wish: Value = std::array::from_fn(|k| wanted[k] - now[k]);

@@ -21,10 +21,18 @@ pub(super) const EXTENSION: &str = "EXT_meshopt_compression";
 const TRIANGLES: &str = "triangles";
 const STRIPS: &str = "strips";
 
+/// An accessor, and what it is used for.
+pub(super) struct RoledAccessor<'a> {
+    /// Index in the document.
+    pub index: u64,
+    /// Its use.
+    pub role: &'a AccessorRole,
+}
+
 /// Moves an accessor to a view of its kind, in its new order.
 pub(super) fn move_accessor(
     document: &GltfDocument<'_>,
-    (index, role): (u64, &AccessorRole),
+    RoledAccessor { index, role }: RoledAccessor<'_>,
     order: &MeshoptOrder,
     root: &mut Value,
     additions: &mut Additions,

@@ -42,7 +42,13 @@ pub(in crate::gltf) fn meshopt(parts: &mut GltfParts, quantization: Option<&Quan
     let mut additions = Additions::new(&snapshot);
     for (&accessor, role) in &roles {
         if let Some(role) = role {
-            codec::move_accessor(&document, (accessor, role), &order, &mut parts.root, &mut additions);
+            codec::move_accessor(
+                &document,
+                codec::RoledAccessor { index: accessor, role },
+                &order,
+                &mut parts.root,
+                &mut additions,
+            );
         }
     }
     let mut fallback = codec::Fallback::new(&snapshot, quantization);

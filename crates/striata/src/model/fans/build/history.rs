@@ -1,6 +1,6 @@
 //! All triangles of all levels, by the vertex that stores them and the step that creates them.
 
-use crate::mesh::Levels;
+use crate::mesh::LevelTable;
 use crate::model::fans::crowns::RingArc;
 use crate::model::fans::step_counts::StepCounts;
 
@@ -30,7 +30,7 @@ pub(super) struct FanHistory {
 
 impl FanHistory {
     /// Sorts triangles into entries. `links` has the pairs that do not follow from them.
-    pub(super) fn new(triangles: Vec<HistoryTriangle>, links: StepLinks, levels: &Levels) -> Self {
+    pub(super) fn new(triangles: Vec<HistoryTriangle>, links: StepLinks, levels: &LevelTable) -> Self {
         let newest = |triangle: &HistoryTriangle| {
             let [a, b, c] = triangle.corners;
             a.max(b).max(c) as usize
@@ -76,7 +76,7 @@ impl FanHistory {
     }
 
     /// Counts the triangles that each step adds.
-    pub(super) fn added_counts(&self, levels: &Levels) -> StepCounts {
+    pub(super) fn added_counts(&self, levels: &LevelTable) -> StepCounts {
         let mut counts = vec![0i32; levels.step_count()];
         for vertex in 0..self.vertex_count() as u32 {
             if let Some(step) = levels.step_of(vertex) {
@@ -116,7 +116,7 @@ impl StepLinks {
     pub(super) fn note(
         &mut self,
         step: u32,
-        levels: &Levels,
+        levels: &LevelTable,
         star: impl Iterator<Item = u32>,
         floor: impl Iterator<Item = u32>,
     ) {

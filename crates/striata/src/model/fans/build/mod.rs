@@ -10,7 +10,7 @@ use self::tree::Tree;
 use super::crowns::{RingArc, crowns};
 use super::table::{Creator, Fan, TableWriter};
 use super::{Fans, MAX_ARCS};
-use crate::mesh::{FragmentedMesh, IndexedMesh, Levels, RefinableMesh, Steps};
+use crate::mesh::{FragmentedMesh, IndexedMesh, LevelTable, RefinableMesh, Steps};
 use crate::model::step_bounds::StepBounds;
 use crate::model::step_vertices::StepVertices;
 use crate::{Cancelled, Progress, ProgressFn, ignore_progress};
@@ -58,7 +58,7 @@ impl<'m> FanSource<'m> {
     }
 
     /// Sizes and errors of the levels.
-    pub fn levels(self) -> &'m Levels {
+    pub fn levels(self) -> &'m LevelTable {
         match self {
             Self::Collapses(refinable) => refinable.sequence.levels(),
             Self::Fragments(fragmented) => fragmented.fragments.levels(),

@@ -1,7 +1,7 @@
 //! The tree of steps along which bounds are nested.
 
 use super::history::FanHistory;
-use crate::mesh::Levels;
+use crate::mesh::LevelTable;
 use crate::model::fans::table::Fan;
 
 /// The parent of each step, which is the coarsest position whose entry names it, and whether an entry lists the
@@ -14,7 +14,7 @@ pub(super) struct Tree {
 
 impl Tree {
     /// Finds the parents of all steps.
-    pub(super) fn of_history(history: &FanHistory, levels: &Levels) -> Self {
+    pub(super) fn of_history(history: &FanHistory, levels: &LevelTable) -> Self {
         let step_count = levels.step_count();
         let mut tree = Self { parents: vec![u32::MAX; step_count], is_listed: vec![false; step_count] };
         for vertex in 0..history.vertex_count() as u32 {

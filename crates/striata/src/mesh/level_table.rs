@@ -7,7 +7,7 @@ use super::{PositionIndex, SequenceError};
 ///
 /// Level `s` contains the positions of the base mesh and those that the first `s` steps restore.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Levels {
+pub struct LevelTable {
     positions: PositionIndex,
     base_position_count: usize,
     errors: Vec<f32>,
@@ -15,7 +15,7 @@ pub struct Levels {
     triangle_counts: Vec<u32>,
 }
 
-impl Levels {
+impl LevelTable {
     /// Creates the table from the triangle count of each level, coarse to fine, and the error of each level
     /// but the last.
     ///
@@ -129,8 +129,13 @@ impl Levels {
 
     /// Split count of the most detailed level that does not exceed a detail from 0.0 (base) to 1.0 (full).
     pub fn split_count_for_detail(&self, detail: f64) -> usize {
-        // The small term keeps `k / step_count` from rounding down to `k - 1`.
-        let exact = detail.clamp(0.0, 1.0) * self.step_count() as f64;
-        ((exact + 1e-9 * exact.max(1.0)) as usize).min(self.step_count())
+        steps_for_detail(detail, self.step_count())
     }
+}
+
+/// Number of steps that a detail from 0.0 (base) to 1.0 (full) applies, of `step_count` in all.
+pub fn steps_for_detail(detail: f64, step_count: usize) -> usize {
+    // The small term keeps `k / step_count` from rounding down to `k - 1`.
+    let exact = detail.clamp(0.0, 1.0) * step_count as f64;
+    ((exact + 1e-9 * exact.max(1.0)) as usize).min(step_count)
 }
