@@ -1,18 +1,20 @@
 //! The `striata` command.
 //!
-//! In reading order: `args` defines the command line; `commands` contains a module for each verb, and a
-//! folder for those with several parts (`build`, `demo`, `extract`, `info`, `render`); `strip_lists` prepares
-//! strips for glTF files.
+//! In reading order: `command_line` and `args` define the command line; `commands` contains a module for each
+//! verb, and a folder for those with several parts (`build`, `demo`, `info`, `render`), and `levels` for those that
+//! write levels; `strip_lists` prepares strips for glTF files.
 //!
 //! Data goes to stdout; messages and progress bars go to stderr. Exit codes: 0 is success, 1 an error that
 //! the user can fix, 2 an internal error.
 
 mod args;
+mod command_line;
 mod commands;
 mod strip_lists;
 
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    striata_command::run(commands::run)
+    let words = command_line::translated(std::env::args_os());
+    striata_command::run(words, command_line::hint, commands::run)
 }

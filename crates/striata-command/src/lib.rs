@@ -26,6 +26,8 @@ pub mod stream;
 pub mod strip_chain;
 pub mod strip_report;
 
+use std::ffi::OsString;
+use std::io::{self, Write as _};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
@@ -33,11 +35,16 @@ use clap::Parser;
 
 use crate::failure::{Failure, report_panic};
 
-/// Parses the command line, runs `work`, and turns the result into an exit code.
-pub fn run<C: Parser>(work: impl FnOnce(&C) -> Result<(), Failure>) -> ExitCode {
-    let cli = match C::try_parse() {
+/// Parses the words of the command line, runs `work`, and turns the result into an exit code. `hint` may say what to do
+/// about words that cannot be parsed.
+pub fn run<C: Parser>(
+    words: impl IntoIterator<Item = OsString>,
+    hint: impl FnOnce(&clap::Error) -> Option<String>,
+    work: impl FnOnce(&C) -> Result<(), Failure>,
+) -> ExitCode {
+    let cli = match C::try_parse_from(words) {
         Ok(cli) => cli,
-        Err(error) => return print_parser_message(&error),
+        Err(error) => return print_parser_message(&error, hint(&error)),
     };
     std::panic::set_hook(Box::new(report_panic));
     // After a panic only the exit code is used, so inconsistent state cannot be observed.
@@ -49,9 +56,12 @@ pub fn run<C: Parser>(work: impl FnOnce(&C) -> Result<(), Failure>) -> ExitCode 
 }
 
 /// Prints what the parser returned instead of arguments: an error, or the text of `--help` or `--version`.
-fn print_parser_message(error: &clap::Error) -> ExitCode {
+fn print_parser_message(error: &clap::Error, hint: Option<String>) -> ExitCode {
     // If even the terminal is gone, nothing is left to do.
     let _ = error.print();
+    if let Some(hint) = hint {
+        let _ = writeln!(io::stderr(), "hint: {hint}");
+    }
     if error.use_stderr() { ExitCode::from(Failure::USER_ERROR) } else { ExitCode::SUCCESS }
 }
 

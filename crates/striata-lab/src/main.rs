@@ -21,7 +21,7 @@ use striata_command::output::Output;
 use crate::args::{LabCli, LabVerb};
 
 fn main() -> ExitCode {
-    striata_command::run(run)
+    striata_command::run(std::env::args_os(), |_| None, run)
 }
 
 fn run(cli: &LabCli) -> Result<(), Failure> {

@@ -53,6 +53,54 @@ pub(crate) struct Cli {
     pub report: ReportArgs,
 }
 
+impl Verb {
+    /// Returns the files that the verb reads.
+    pub(crate) fn inputs(&self) -> Vec<&Path> {
+        match self {
+            Self::Build(args) => {
+                std::iter::once(&args.input).chain(&args.more).map(PathBuf::as_path).collect()
+            }
+            Self::Extract(args) => vec![&args.input],
+            Self::Simplify(args) => vec![&args.input],
+            Self::Strip(args) => vec![&args.input],
+            Self::Convert(args) => vec![&args.input],
+            Self::Encode(args) => vec![&args.input],
+            Self::Decode(args) => vec![&args.input],
+            Self::Render(args) => vec![&args.input],
+            _ => Vec::new(),
+        }
+    }
+
+    /// Returns the file that the verb writes, if the user has named one.
+    pub(crate) fn output(&self) -> Option<&Path> {
+        match self {
+            Self::Build(args) => args.output.as_deref(),
+            Self::Extract(args) => Some(&args.output.output),
+            Self::Simplify(args) => Some(&args.output.output),
+            Self::Strip(args) => args.output.as_deref(),
+            Self::Convert(args) => args.output(),
+            Self::Encode(args) => args.output.as_deref(),
+            Self::Decode(args) => Some(&args.output.output),
+            Self::Render(args) => Some(&args.output),
+            _ => None,
+        }
+    }
+
+    /// Whether the output may replace an input.
+    pub(crate) fn is_forced(&self) -> bool {
+        match self {
+            Self::Build(args) => args.force,
+            Self::Extract(args) => args.output.format.force,
+            Self::Simplify(args) => args.output.format.force,
+            Self::Strip(args) => args.force,
+            Self::Convert(args) => args.format.force,
+            Self::Encode(args) => args.force,
+            Self::Decode(args) => args.output.format.force,
+            _ => false,
+        }
+    }
+}
+
 /// The verbs of the command.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Verb {
@@ -135,6 +183,9 @@ pub(crate) struct BuildArgs {
     /// File to write, or - for stdout [default: the input with extension .striata]
     #[arg(short, long, value_name = "OUT.striata")]
     pub output: Option<PathBuf>,
+    /// Let the output replace the input
+    #[arg(long)]
+    pub force: bool,
     /// Models to store: lodstrips (strips; small, fast), mts (strips rebuilt at each level), fans (for views;
     /// else `extract --eye` builds them), patterns (for views and boxes, with any --order), progressive
     /// (stream)

@@ -23,6 +23,9 @@ pub(crate) struct EncodeArgs {
     /// .stri]
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
+    /// Let the output replace the input
+    #[arg(long)]
+    pub force: bool,
     /// How the stream is encoded.
     #[command(flatten)]
     pub stream: StreamArgs,

@@ -22,6 +22,9 @@ pub(crate) struct StripArgs {
     /// .glb or .gltf file to write, or - for stdout [default: only report]
     #[arg(short, long, value_name = "OUT")]
     pub output: Option<PathBuf>,
+    /// Let the output replace the input
+    #[arg(long)]
+    pub force: bool,
     /// Output format; ply requires --block-triangles, gltf excludes it [default: from the file extension; glb
     /// on stdout]
     #[arg(long, value_name = "FORMAT")]
@@ -135,7 +138,7 @@ impl StripArgs {
             // Other verbs write PLY to stdout, but PLY written here could not contain strips.
             None => is_stdout.then_some(FormatArg::Glb),
         };
-        FormatArgs { to, ascii: false, gltf: GltfArgs::default() }
+        FormatArgs { to, ascii: false, force: self.force, gltf: GltfArgs::default() }
     }
 
     /// Returns the options of the only stripifier, for stripifying in blocks.

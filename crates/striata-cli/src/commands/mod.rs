@@ -34,6 +34,7 @@ use striata_viewer::window;
 pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
     let output = Output::new(cli.report);
     check_json(cli)?;
+    check_inputs_stay(cli)?;
     match &cli.verb {
         Verb::Build(args) => build::run(args, &output),
         Verb::Plan(args) => paged::plan(args, &output),
@@ -64,6 +65,25 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Demo(args) => demo::run(args, &output),
         Verb::Completions(args) => completions::run(args),
     }
+}
+
+/// Checks that the output does not replace an input, unless the user insists.
+///
+/// # Errors
+/// If it would.
+fn check_inputs_stay(cli: &Cli) -> Result<(), Failure> {
+    let Some(output) = cli.verb.output().filter(|_| !cli.verb.is_forced()) else { return Ok(()) };
+    // A file that does not exist is none of the inputs.
+    let Ok(place) = output.canonicalize() else { return Ok(()) };
+    if !cli.verb.inputs().iter().any(|input| input.canonicalize().is_ok_and(|input| input == place)) {
+        return Ok(());
+    }
+    let way_out = match cli.verb {
+        Verb::Render(_) => "choose another name",
+        _ => "choose another name, or add --force",
+    };
+    let message = format!("{}: the output would overwrite the input", output.display());
+    Err(Failure::user(message).with_hint(way_out))
 }
 
 /// Checks that `--json` is given only to verbs that report something.

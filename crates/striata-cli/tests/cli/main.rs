@@ -3,6 +3,7 @@
 mod ball;
 mod costs;
 mod far_positions;
+mod first_words;
 mod gltf_outputs;
 #[cfg(unix)]
 mod guides;

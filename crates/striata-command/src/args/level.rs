@@ -234,6 +234,7 @@ impl FromStr for Count {
             None => Ok(Self::Number(text.trim().parse().map_err(|_| wrong())?)),
             Some(percent) => match percent.trim().parse::<f64>() {
                 Ok(percent) if (0.0..=100.0).contains(&percent) => Ok(Self::Share(percent / 100.0)),
+                Ok(percent) if percent > 100.0 => Err(format!("{text} is too large; the full mesh is 100%")),
                 _ => Err(wrong()),
             },
         }
@@ -305,6 +306,9 @@ fn parse_ratio(text: &str) -> Result<f64, String> {
     };
     match ratio {
         Ok(ratio) if (0.0..=1.0).contains(&ratio) => Ok(ratio),
+        Ok(percent) if (1.0..=100.0).contains(&percent) && !text.contains('%') => Err(format!(
+            "must lie between 0 (no triangles) and 1 (all of them); {percent} percent is {percent}%"
+        )),
         _ => Err("must lie between 0 (no triangles) and 1 (all of them)".to_owned()),
     }
 }

@@ -28,6 +28,9 @@ pub struct FormatArgs {
     /// Write PLY as text
     #[arg(long)]
     pub ascii: bool,
+    /// Let the output replace the input
+    #[arg(long)]
+    pub force: bool,
     /// How glTF is quantized and compressed.
     #[command(flatten)]
     pub gltf: GltfArgs,
