@@ -12,9 +12,9 @@ use striata::model::{ModelKind, StageOptions};
 #[cfg(feature = "gpu")]
 use striata_command::args::DriverArgs;
 use striata_command::args::{
-    AxisAlignedBox, BUILD_STRIPS, Count, EditArgs, EyeArgs, FlatArgs, FormatArgs, LEVEL, Length, LevelArgs,
-    LevelsArgs, OutputArgs, ReportArgs, STRIPS, SequenceArgs, StreamArgs, StripSearchArgs, TextureArgs,
-    ViewArgs, strips_help,
+    AxisAlignedBox, BUILD_STRIPS, Count, EditArgs, EyeArgs, FlatArgs, LEVEL, Length, LevelArgs, LevelsArgs,
+    OutputArgs, ReportArgs, STRIPS, SequenceArgs, StreamArgs, StripSearchArgs, TextureArgs, ViewArgs,
+    strips_help,
 };
 use striata_command::strip_chain::{StripChain, StripPlan};
 #[cfg(all(feature = "serve", not(feature = "window")))]
@@ -75,12 +75,12 @@ impl Verb {
     pub(crate) fn output(&self) -> Option<&Path> {
         match self {
             Self::Build(args) => args.output.as_deref(),
-            Self::Extract(args) => Some(&args.output.output),
-            Self::Simplify(args) => Some(&args.output.output),
+            Self::Extract(args) => Some(args.output.path()),
+            Self::Simplify(args) => Some(args.output.path()),
             Self::Strip(args) => args.output.as_deref(),
-            Self::Convert(args) => args.output(),
-            Self::Encode(args) => args.output.as_deref(),
-            Self::Decode(args) => Some(&args.output.output),
+            Self::Convert(args) => Some(args.output.path()),
+            Self::Encode(args) => args.output(),
+            Self::Decode(args) => Some(args.output.path()),
             Self::Render(args) => Some(&args.output),
             _ => None,
         }
@@ -93,7 +93,7 @@ impl Verb {
             Self::Extract(args) => args.output.format.force,
             Self::Simplify(args) => args.output.format.force,
             Self::Strip(args) => args.force,
-            Self::Convert(args) => args.format.force,
+            Self::Convert(args) => args.output.format.force,
             Self::Encode(args) => args.force,
             Self::Decode(args) => args.output.format.force,
             _ => false,
@@ -256,7 +256,7 @@ pub(crate) struct InfoArgs {
 /// Arguments of `extract`.
 #[derive(Debug, Args)]
 #[command(
-    override_usage = "striata extract [OPTIONS] <INPUT> -o <OUT> <LEVEL>",
+    override_usage = "striata extract [OPTIONS] <INPUT> <OUT> <LEVEL>",
     after_help = "Examples:\n  \
     striata extract torus.striata -o torus-{}.glb --levels 50%,25%,10%\n  \
     striata extract torus.striata -o view.glb --eye 0,2,3 --pixels 2"
@@ -309,7 +309,7 @@ pub(crate) struct ExtractArgs {
 /// Arguments of `simplify`.
 #[derive(Debug, Args)]
 #[command(
-    override_usage = "striata simplify [OPTIONS] <INPUT> -o <OUT> <LEVEL>",
+    override_usage = "striata simplify [OPTIONS] <INPUT> <OUT> <LEVEL>",
     after_help = "Examples:\n  \
     striata simplify shape:torus -o small.ply --triangles 10%\n  \
     striata simplify robot.glb -o robot-{}.glb --levels 50%,10% --texture-max 512"
@@ -382,21 +382,9 @@ pub(crate) struct DistanceArgs {
 pub(crate) struct ConvertArgs {
     /// Mesh or scene to read, - for stdin, or a built-in shape: shape:torus
     pub input: PathBuf,
-    /// File to write, or - for stdout
-    #[arg(value_name = "OUT", required_unless_present = "output_flag")]
-    positional_output: Option<PathBuf>,
-    /// File to write, as an alternative to OUT
-    #[arg(
-        id = "output_flag",
-        short,
-        long = "output",
-        value_name = "OUT",
-        conflicts_with = "positional_output"
-    )]
-    output_flag: Option<PathBuf>,
-    /// The format of the output.
+    /// The output file.
     #[command(flatten)]
-    pub format: FormatArgs,
+    pub output: OutputArgs,
     /// Whether a scene becomes one mesh.
     #[command(flatten)]
     pub scene: FlatArgs,
@@ -406,13 +394,6 @@ pub(crate) struct ConvertArgs {
     /// How textures are re-encoded.
     #[command(flatten)]
     pub textures: TextureArgs,
-}
-
-impl ConvertArgs {
-    /// Returns the file to write.
-    pub(crate) fn output(&self) -> Option<&Path> {
-        self.output_flag.as_deref().or(self.positional_output.as_deref())
-    }
 }
 
 /// Arguments of `demo`.

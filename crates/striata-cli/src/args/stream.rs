@@ -1,6 +1,6 @@
 //! Arguments of `encode` and `decode`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use striata_command::args::{
@@ -10,7 +10,7 @@ use striata_command::args::{
 /// Arguments of `encode`.
 #[derive(Debug, Args)]
 #[command(
-    override_usage = "striata encode [OPTIONS] <INPUT> [-o <OUT.stri>]",
+    override_usage = "striata encode [OPTIONS] <INPUT> [OUT]",
     after_help = "Examples:\n  \
     striata encode shape:torus -o torus.stri\n  \
     striata encode robot.glb -o robot-stream.glb --texture-max 1024"
@@ -21,8 +21,17 @@ pub(crate) struct EncodeArgs {
     /// File to write, or - for stdout: a stream (.stri), a GLB file that other programs show at a coarse
     /// level (.glb), or a .striata file that contains only the stream [default: the input with extension
     /// .stri]
-    #[arg(short, long, value_name = "OUT")]
-    pub output: Option<PathBuf>,
+    #[arg(value_name = "OUT")]
+    positional_output: Option<PathBuf>,
+    /// File to write, as an alternative to OUT
+    #[arg(
+        id = "output_flag",
+        short,
+        long = "output",
+        value_name = "OUT",
+        conflicts_with = "positional_output"
+    )]
+    output_flag: Option<PathBuf>,
     /// Let the output replace the input
     #[arg(long)]
     pub force: bool,
@@ -53,10 +62,17 @@ pub(crate) struct EncodeArgs {
     pub textures: TextureArgs,
 }
 
+impl EncodeArgs {
+    /// Returns the file to write, if it was named.
+    pub(crate) fn output(&self) -> Option<&Path> {
+        self.output_flag.as_deref().or(self.positional_output.as_deref())
+    }
+}
+
 /// Arguments of `decode`.
 #[derive(Debug, Args)]
 #[command(
-    override_usage = "striata decode [OPTIONS] <INPUT> -o <OUT>",
+    override_usage = "striata decode [OPTIONS] <INPUT> <OUT>",
     after_help = "Examples:\n  \
     striata decode torus.stri -o preview.ply --triangles 5000\n  \
     striata decode - -o partial.glb < torus.stri"

@@ -29,15 +29,15 @@ struct ConvertReport {
 /// # Errors
 /// If either fails.
 pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
-    let path = args.output().ok_or_else(|| Failure::internal("no output was named"))?;
+    let path = args.output.path();
     output.check_stdout_is_free(is_stdout(path))?;
-    let format = format_of(path, &args.format)?;
+    let format = format_of(path, &args.output.format)?;
     let input = paged::open_input(&args.input, usize::MAX)?;
     let textures = args.textures.options();
     let report = if format.has_scenes() && input.scene_kind().is_some() && !args.scene.flat {
         let scene = edited(input.scene(output)?, &args.edits, false, output)?;
         let scene = with_textures(scene, textures.as_ref(), output)?;
-        write_scene(&scene, input.has_scene_levels(), path, &args.format, output)?;
+        write_scene(&scene, input.has_scene_levels(), path, &args.output.format, output)?;
         ConvertReport {
             vertex_count: scene.meshes().iter().flatten().map(|mesh| mesh.vertex_count()).sum(),
             triangle_count: scene.triangle_count(),
@@ -50,7 +50,7 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
         // Meshes keep the order that they come in; levels have none of their own.
         let has_levels = input.has_levels() || input.has_scene_levels();
         let primitives = if has_levels { Primitives::Triangles } else { Primitives::UnsortedTriangles };
-        write_mesh(&mesh, primitives, path, &args.format, output)?;
+        write_mesh(&mesh, primitives, path, &args.output.format, output)?;
         ConvertReport {
             vertex_count: mesh.vertex_count(),
             triangle_count: mesh.triangle_count(),

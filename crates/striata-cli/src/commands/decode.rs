@@ -21,8 +21,8 @@ use striata_command::save::{format_of, is_stdout};
 /// If any of this fails.
 pub(crate) fn run(args: &DecodeArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
-    output.check_stdout_is_free(is_stdout(&args.output.output))?;
-    format_of(&args.output.output, &args.output.format)?;
+    output.check_stdout_is_free(is_stdout(args.output.path()))?;
+    format_of(args.output.path(), &args.output.format)?;
     let mut bar = output.bar();
     bar.phase("decode");
     let input = Input::open(&args.input)?;
@@ -47,7 +47,7 @@ fn decode<S: LevelSource>(
     let level = &args.level.level;
     let full = full_of(source, level)?;
     let requests =
-        level_requests(level, &LevelsArgs { levels: None, lod_chain: false }, full, &args.output.output)?;
+        level_requests(level, &LevelsArgs { levels: None, lod_chain: false }, full, args.output.path())?;
     let job = LevelJob {
         requests,
         is_list: false,

@@ -36,8 +36,8 @@ const PHASES: [&str; 5] = ["read", "weld", "simplify", "encode", "write"];
 /// # Errors
 /// If any of this fails; an existing output is then left unchanged.
 pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
-    let path = match &args.output {
-        Some(path) => path.clone(),
+    let path = match args.output() {
+        Some(path) => path.to_owned(),
         None => default_output_path(&args.input, "stri")?,
     };
     output.check_stdout_is_free(is_stdout(&path))?;
@@ -251,7 +251,7 @@ impl EncodeReport {
         ] {
             row(part, format!("{bits:.2}"));
         }
-        let chosen = if args.output.is_none() { DEFAULT_NAME_NOTE } else { "" };
+        let chosen = if args.output().is_none() { DEFAULT_NAME_NOTE } else { "" };
         row("file", format!("{} ({}){chosen}", self.path, format_bytes(self.output_bytes)));
         row("time", format_duration(self.secs));
         table.to_text()

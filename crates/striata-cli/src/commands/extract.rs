@@ -24,7 +24,7 @@ use striata_command::save::{format_of, is_stdout};
 /// If any of this fails.
 pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
-    output.check_stdout_is_free(is_stdout(&args.output.output))?;
+    output.check_stdout_is_free(is_stdout(args.output.path()))?;
     check_outputs(&args.level, &args.levels, &args.output)?;
     check_form(args)?;
     let report = if is_paged_file(&args.input) {
@@ -55,7 +55,7 @@ fn of_input(
         let received = input.received_scene(output)?;
         let mut source = SceneSource::new(received, args.textures.options().as_ref(), output)?;
         if args.levels.lod_chain {
-            source = source.in_one_file(&args.output.output, &args.output.format);
+            source = source.in_one_file(args.output.path(), &args.output.format);
         }
         return extract(&mut source, args, started, output);
     }
@@ -108,7 +108,7 @@ fn extract<S: LevelSource>(
         return write_box(source, &varying, corners, output);
     }
     let full = full_of(source, &args.level)?;
-    let requests = level_requests(&args.level, &args.levels, full, &args.output.output)?;
+    let requests = level_requests(&args.level, &args.levels, full, args.output.path())?;
     let job = LevelJob {
         requests,
         is_list: args.levels.levels.is_some(),
@@ -125,7 +125,7 @@ fn extract<S: LevelSource>(
 /// # Errors
 /// If the format of an output does not support the form.
 fn check_form(args: &ExtractArgs) -> Result<(), Failure> {
-    for path in check_paths(&args.level, &args.levels, &args.output.output)? {
+    for path in check_paths(&args.level, &args.levels, args.output.path())? {
         let format = format_of(&path, &args.output.format)?;
         match args.form {
             TriangleForm::List => {}

@@ -25,7 +25,7 @@ use striata_command::sequence::{Limits, StepKind, limit_in_units};
 /// If any of this fails; nothing is written then.
 pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
-    output.check_stdout_is_free(is_stdout(&args.output.output))?;
+    output.check_stdout_is_free(is_stdout(args.output.path()))?;
     check_outputs(&args.level, &args.levels, &args.output)?;
     let placement = ChosenPlacement::of(args)?;
     let mut bar = output.bar();
@@ -43,7 +43,7 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     } else {
         FullMesh { diagonal: mesh.diagonal(), ..FullMesh::default() }
     };
-    let requests = level_requests(&args.level, &args.levels, full, &args.output.output)?;
+    let requests = level_requests(&args.level, &args.levels, full, args.output.path())?;
     let limits = limits(args, &requests, full.diagonal);
     let plan = args.sequence.plan_for(&mesh, limits)?;
     let simplifying = Instant::now();
@@ -110,10 +110,10 @@ fn simplify_scene(
     let source = SceneSource::new(ReceivedScene::complete(lods), textures.as_ref(), output)?;
     let mut source = source.simplified(limit, args.max_error.is_some(), placement);
     if args.levels.lod_chain {
-        source = source.in_one_file(&args.output.output, &args.output.format);
+        source = source.in_one_file(args.output.path(), &args.output.format);
     }
     let full = full_of(&mut source, &args.level)?;
-    let requests = level_requests(&args.level, &args.levels, full, &args.output.output)?;
+    let requests = level_requests(&args.level, &args.levels, full, args.output.path())?;
     let report = write_levels(&mut source, &job(args, requests, started), output)?;
     let placement = is_placed.then(|| placement_name(source.is_fitted()));
     let report = report.with_how(HowMade { placement, ..HowMade::default() });

@@ -72,3 +72,23 @@ fn no_output_replaces_an_input_unless_the_user_insists() {
     bench.json("convert ball.obj other.obj");
     bench.json("convert ball.obj other.obj");
 }
+
+#[test]
+fn outputs_may_follow_the_input() {
+    let bench = Workbench::new();
+    fs::write(bench.path("ball.obj"), sphere(8, 8)).unwrap();
+    let same = |first: &str, second: &str| {
+        assert_eq!(fs::read(bench.path(first)).unwrap(), fs::read(bench.path(second)).unwrap(), "{first}");
+    };
+    bench.json("simplify ball.obj a.ply --ratio 0.5");
+    bench.json("simplify ball.obj -o b.ply --ratio 0.5");
+    same("a.ply", "b.ply");
+    bench.json("encode ball.obj a.stri");
+    bench.json("encode ball.obj -o b.stri");
+    same("a.stri", "b.stri");
+    bench.json("decode a.stri a.obj");
+    bench.json("extract a.stri --detail 1 b.obj");
+    same("a.obj", "b.obj");
+    assert!(bench.refused("simplify ball.obj a.ply -o b.ply --ratio 0.5").contains("cannot be used with"));
+    assert!(bench.refused("simplify ball.obj --ratio 0.5").contains("<OUT>"));
+}

@@ -78,10 +78,7 @@ fn counts_may_be_percentages_of_the_full_mesh() {
     for wrong in ["--triangles 101%", "--triangles ten", "--vertices -1%", "--ratio 1.5", "--ratio -1"] {
         assert!(bench.refused(&format!("extract ball.striata -o x.ply {wrong}")).contains("invalid value"));
     }
-    assert!(bench.refused("build sphere.obj -o x.striata --base 200%").contains(
-        "percentage of the full \
-        mesh"
-    ));
+    assert!(bench.refused("build sphere.obj -o x.striata --base 200%").contains("the full mesh is 100%"));
     let both = bench.refused("extract ball.striata -o x.ply --triangles 5 --ratio 0.5");
     assert!(both.contains("cannot be used with"), "{both}");
 }

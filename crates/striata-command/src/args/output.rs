@@ -1,6 +1,6 @@
 //! Flags for the file that a mesh is written to, and for its format.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 
@@ -10,12 +10,29 @@ use super::GltfArgs;
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Output")]
 pub struct OutputArgs {
-    /// Mesh file to write, or - for stdout
-    #[arg(short, long, value_name = "OUT")]
-    pub output: PathBuf,
+    /// File to write, or - for stdout
+    #[arg(value_name = "OUT", required_unless_present = "output_flag", help_heading = None)]
+    positional_output: Option<PathBuf>,
+    /// File to write, as an alternative to OUT
+    #[arg(
+        id = "output_flag",
+        short,
+        long = "output",
+        value_name = "OUT",
+        conflicts_with = "positional_output"
+    )]
+    output_flag: Option<PathBuf>,
     /// The format of the file.
     #[command(flatten)]
     pub format: FormatArgs,
+}
+
+impl OutputArgs {
+    /// Returns the file to write.
+    pub fn path(&self) -> &Path {
+        // The parser requires one of them.
+        self.output_flag.as_deref().or(self.positional_output.as_deref()).unwrap_or(Path::new("-"))
+    }
 }
 
 /// The format that a mesh is written in.

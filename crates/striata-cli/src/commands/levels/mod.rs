@@ -176,7 +176,7 @@ impl VaryingJob<'_> {
     /// # Errors
     /// If the path has a placeholder for a level and there is no level to fill it.
     fn path(&self) -> Result<PathBuf, Failure> {
-        let paths = check_paths(self.level, self.levels, &self.output.output)?;
+        let paths = check_paths(self.level, self.levels, self.output.path())?;
         paths.into_iter().next().ok_or_else(|| Failure::internal("no level was given"))
     }
 }
@@ -282,8 +282,9 @@ fn write_varying<S: LevelSource>(
 pub(super) fn check_outputs(
     level: &LevelArgs,
     levels: &LevelsArgs,
-    OutputArgs { output, format }: &OutputArgs,
+    output: &OutputArgs,
 ) -> Result<(), Failure> {
+    let (output, format) = (output.path(), &output.format);
     if levels.lod_chain && levels.levels.is_none() {
         return Err(Failure::user("--lod-chain was given without --levels")
             .with_hint("name the coarser levels: --levels 50%,10% --lod-chain"));

@@ -97,7 +97,7 @@ pub(in crate::commands) fn encode(
         phases,
         peak_rss_bytes: peak_rss_bytes(),
     };
-    output.summary(&report, &report.to_text(args.output.is_none()))
+    output.summary(&report, &report.to_text(args.output().is_none()))
 }
 
 fn batches(args: &EncodeArgs, lods: &LodOptions) -> BatchOptions {
