@@ -17,7 +17,7 @@
 //!
 //! let mut lod = Lod::build(&shapes::icosphere(4, 1.0), &LodOptions::default())?;
 //! let Ok(level) = halved(&mut lod);
-//! println!("{} triangles, error {}", level.shape.triangle_count(), level.error);
+//! println!("{} triangles, error {:?}", level.shape.triangle_count(), level.error);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
