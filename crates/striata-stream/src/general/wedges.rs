@@ -19,6 +19,7 @@ const GUESSES: usize = 3;
 const CODED_SINGLY: usize = 3;
 
 /// The level before a step.
+#[derive(Clone, Copy)]
 pub(super) struct LevelBefore<'a> {
     /// The triangles over positions.
     pub complex: &'a Complex,
@@ -51,20 +52,12 @@ enum ChoiceKind {
     Target,
 }
 
-/// The wedge of a corner, and the one that it collapses to.
+/// The wedge of a corner.
 struct CodedWedge {
-    /// The wedge, for an encoder.
-    pub actual_wedge: u32,
-    /// The position that it belongs to.
-    pub target: u32,
-}
-
-/// The mesh, and how many wedges it may still get.
-struct WedgeRoom<'a> {
-    /// The mesh so far.
-    pub growth: &'a GrowingMesh,
-    /// Most wedges that may be added.
-    pub max_extra_wedges: u64,
+    /// Its number in the mesh of the encoder.
+    actual_wedge: u32,
+    /// The vertex that it collapses to.
+    target: u32,
 }
 
 impl GeneralWedgeModel {
@@ -106,10 +99,11 @@ impl GeneralWedgeModel {
     pub(super) fn code<C: Coder>(
         &mut self,
         coder: &mut C,
-        LevelBefore { complex, growth, max_extra_wedges }: LevelBefore<'_>,
+        level_before: LevelBefore<'_>,
         (actual, out): (Option<&ReferenceStep>, &mut CodedStep),
         wedges: &mut WedgeModel,
     ) {
+        let LevelBefore { complex, growth, .. } = level_before;
         out.targets.clear();
         out.reference_wedges.clear();
         out.wedges.clear();
@@ -128,7 +122,7 @@ impl GeneralWedgeModel {
             let actual_triangle = actual.map(|step| step.new_triangles[out.reference_triangles[at]]);
             self.code_triangle(coder, (complex, growth), (actual_triangle, at), (out, wedges));
         }
-        self.code_unused_wedges(coder, WedgeRoom { growth, max_extra_wedges }, actual, out);
+        self.code_unused_wedges(coder, level_before, actual, out);
     }
 
     /// Codes the wedge of a corner whose vertex is `target` before the step: the wedge of the previous
@@ -222,7 +216,7 @@ impl GeneralWedgeModel {
     fn code_unused_wedges<C: Coder>(
         &mut self,
         coder: &mut C,
-        WedgeRoom { growth, max_extra_wedges }: WedgeRoom<'_>,
+        LevelBefore { growth, max_extra_wedges, .. }: LevelBefore<'_>,
         actual: Option<&ReferenceStep>,
         out: &mut CodedStep,
     ) {

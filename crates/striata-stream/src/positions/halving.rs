@@ -104,11 +104,11 @@ impl AxisCoder<KINDS, WIDTHS> for HalvingModel {
     }
 }
 
-/// The near end of a range, and the masses that its contexts give.
+/// The near interval around the center, and the masses below its two ends.
 struct WeighedEnd<'a> {
-    /// The end.
+    /// Distance of its ends from the center.
     pub near: i32,
-    /// Masses of the contexts.
+    /// Masses below the lower and the upper end, by context.
     pub masses: &'a [Masses<KINDS, WIDTHS>; 2],
 }
 

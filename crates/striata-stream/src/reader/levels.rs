@@ -59,7 +59,7 @@ impl<'s> StreamLevels<'s> {
         Ok(levels)
     }
 
-    /// Sets whether errors are guaranteed, which the metadata of the stream say otherwise.
+    /// Sets whether errors are guaranteed, if the metadata of a file say it instead of those of the stream.
     #[must_use]
     pub fn with_guaranteed_errors(self, has_guaranteed_errors: bool) -> Self {
         Self { has_guaranteed_errors, ..self }

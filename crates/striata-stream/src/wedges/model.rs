@@ -106,11 +106,11 @@ impl<S: StreamSide> WedgeContext<'_, S> {
     }
 }
 
-/// A wedge that is coded, and the position that it belongs to.
+/// A wedge that is coded.
 struct WedgeOfTarget {
-    /// The wedge, for an encoder.
+    /// Its number in the mesh of the encoder.
     pub actual: u32,
-    /// The position.
+    /// The vertex that it collapses to.
     pub target: u32,
 }
 

@@ -57,7 +57,7 @@ struct Weights {
     down: Vec3,
 }
 
-/// The ray through a pixel, and the base color where it meets the surface.
+/// The ray through a pixel, and the base color of the point that it hits.
 struct RayColor {
     /// Point that the ray begins at.
     pub eye: Vec3,

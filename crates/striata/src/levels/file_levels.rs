@@ -13,8 +13,8 @@ use crate::view::{DetailBox, ScreenError};
 
 /// Levels of a `.striata` file.
 ///
-/// Uniform levels come from one of the models in the file, whose instance stays where it is between two levels. Views
-/// come from fans or patterns, which are built from the steps if the file lacks them, and boxes from patterns.
+/// Uniform levels come from one of the models in the file. Views come from fans or patterns, and boxes from patterns;
+/// these are built from the steps if the file lacks them.
 #[derive(Debug)]
 pub struct FileLevels<'a> {
     file: StriataFile<'a>,

@@ -70,7 +70,7 @@ impl LevelsFacts {
 pub struct FoundLevel<S> {
     /// The mesh or scene, with only the vertices that its triangles use.
     pub shape: S,
-    /// Number of refined steps.
+    /// Number of refined steps; 0 for a view of a scene, which does not count them.
     pub split_count: usize,
     /// Number of vertices, counted as in [`LevelsFacts`].
     pub vertex_count: usize,

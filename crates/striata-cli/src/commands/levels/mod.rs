@@ -62,7 +62,7 @@ pub(super) trait LevelSource {
     /// Adds what only this kind of source reports of the last level that was found.
     fn describe(&mut self, found: &FoundLevel<<Self::Source as Levels>::Shape>, details: &mut LevelDetails);
 
-    /// Ends the work after all levels, and tells the user what must be known about them.
+    /// Writes what belongs to all levels together, and prints notes on the source.
     ///
     /// # Errors
     /// If an output cannot be written.
@@ -124,6 +124,7 @@ pub(super) fn write_levels<S: LevelSource>(
         let mut details = LevelDetails {
             split_count: Some(found.split_count),
             step_count: Some(facts.step_count),
+            prepare_secs,
             seek_secs: prepare_secs + seeking.elapsed().as_secs_f64(),
             ..LevelDetails::default()
         };

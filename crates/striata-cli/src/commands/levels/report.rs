@@ -72,7 +72,10 @@ pub(in crate::commands) struct LevelDetails {
     /// For streams: what was read.
     #[serde(flatten)]
     pub stream: Option<StreamRead>,
-    /// Time to find the level and make its mesh.
+    /// Time to read or decode what all levels need.
+    #[serde(skip)]
+    pub prepare_secs: f64,
+    /// Time to find the level and make its mesh, with the time that all levels took to read or decode.
     pub seek_secs: f64,
     /// Whether the detail varies over the mesh.
     #[serde(skip)]
@@ -111,7 +114,7 @@ pub(in crate::commands) struct StreamRead {
     pub stream_bytes: u64,
     pub file_bytes: Option<usize>,
     pub decode_secs: f64,
-    /// Throughput of the decoder alone.
+    /// Throughput of the decoder alone, after the base mesh.
     pub triangles_per_sec: f64,
 }
 

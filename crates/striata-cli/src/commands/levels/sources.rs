@@ -180,8 +180,8 @@ impl<'a> LevelSource for StreamSource<'a> {
             level_bytes: decoder.bytes_for(found.split_count),
             stream_bytes: info.stream_bytes,
             file_bytes: self.input.file_bytes(),
-            decode_secs: details.seek_secs,
-            triangles_per_sec: decoder.triangle_count() as f64 / details.seek_secs,
+            decode_secs: details.prepare_secs,
+            triangles_per_sec: decoder.triangle_count() as f64 / details.prepare_secs.max(f64::MIN_POSITIVE),
         });
     }
 

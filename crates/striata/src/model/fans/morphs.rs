@@ -56,11 +56,11 @@ pub struct FanMorphs {
     next: Vec<MovingStep>,
 }
 
-/// How two states are mixed, and for how many vertices.
+/// How the values of a layer are mixed.
 struct MixedCount {
-    /// The weights.
+    /// Whether they stay normalized, or are taken from the nearer vertex.
     pub mix: Mix,
-    /// Number of vertices.
+    /// Number of components per vertex.
     pub count: usize,
 }
 

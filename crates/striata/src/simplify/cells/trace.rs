@@ -43,9 +43,9 @@ struct TraceScratch {
 struct StepErrors {
     /// Cost of the collapse.
     pub cost: f32,
-    /// Distance that the step adds.
+    /// Distance by which the step moves the surface, mesh units.
     pub own: f64,
-    /// Distance from the original.
+    /// Largest distance of the surface in the cell from the cell's input.
     pub measured: f64,
 }
 
