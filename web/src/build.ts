@@ -13,7 +13,7 @@ export function startBuilder(module: WebAssembly.Module): void {
 }
 
 /** Simplifies a mesh; `report` receives the completed share. */
-export function buildModel({ layers, groups }: MeshArrays, report: (share: number) => void): Model {
+export function buildModel({ layers, groups, isSmooth }: MeshArrays, report: (share: number) => void): Model {
   const positions = layers.find(({ name }) => name === 'POSITION')?.values ?? new Float32Array();
   const mesh = new MeshBuilder(positions as Float32Array);
   for (const { name, itemSize, values } of layers) {
@@ -22,6 +22,7 @@ export function buildModel({ layers, groups }: MeshArrays, report: (share: numbe
     else mesh.add_floats(name, itemSize, values as Float32Array);
   }
   for (const group of groups) mesh.add_group(group);
+  if (isSmooth) mesh.add_smooth_normals();
   // Building consumes the arrays.
   const built = mesh.build({ report: (_: string, share: number) => report(share) });
   const vertices = built.vertices();

@@ -1,7 +1,8 @@
 /** Detects from its first bytes whether a source is a stream, which can be shown as it loads, or a file that must be complete. */
 
 import { concat, prepend, skipBytes, takeBytes, type ByteChunks, type OpenedSource } from './bytes.ts';
-import { isContainer, isGlb, isSceneStream, isStream, MAGIC_BYTES } from './magic.ts';
+import { StriataError } from './error.ts';
+import { isContainer, isGlb, isPaged, isSceneStream, isStream, isWebPage, MAGIC_BYTES } from './magic.ts';
 import { StreamPlace } from './wasm/striata.js';
 
 /** The bytes of a stream, or of a whole file. */
@@ -22,6 +23,15 @@ const MAX_SKIPPED_BYTES = 1 << 16;
 export async function contentOf(opened: OpenedSource): Promise<Content> {
   const head = new Head(opened.chunks);
   await head.grow(MAGIC_BYTES);
+  if (isWebPage(head.bytes)) {
+    throw new StriataError('not-found', `${opened.name || 'the source'} is a web page (HTML), not a model`,
+      'the server may send its start page for files that it does not have; check the address');
+  }
+  if (isPaged(head.bytes)) {
+    await head.drop();
+    throw new StriataError('format', `${opened.name || 'the source'} is a paged file, which pages cannot show yet`,
+      'extract a level of it, or look at it with `striata render`: striata extract FILE --triangles 1M -o LEVEL.glb');
+  }
   const whole = (kind: Content['kind']): Content => ({ kind, isInContainer: false, chunks: head.all(), byteCount: opened.length });
   if (isStream(head.bytes)) return whole('stream');
   if (isSceneStream(head.bytes)) return whole('scene');

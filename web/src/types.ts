@@ -132,7 +132,10 @@ export interface StriataLod {
 }
 
 /** Options of a single call of `open`. */
-export type OpenOptions = Omit<LoadOptions, 'material'>;
+export interface OpenOptions extends Omit<LoadOptions, 'material'> {
+  /** Whether glTF meshes without normals are smooth up to creases of 50 degrees. Default: false, which is flat, as glTF demands. */
+  smooth?: boolean;
+}
 
 /** A scene: what it adds to a group. `StriataScene` implements it. Setting a mode turns off the others, as for a mesh. */
 export interface StriataSceneLike extends Group<StriataEvents> {

@@ -68,6 +68,7 @@ async function fetchModule(name: ModuleName, url: string | URL): Promise<ArrayBu
     const bytes = await readFile(url);
     return bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength) as ArrayBuffer;
   }
+  const hint = `the file is next to striata.js in the package; if you moved it, set the option \`${name === 'striata' ? 'wasm' : 'builder'}\``;
   const response = await fetch(url).catch((error: unknown) => {
     throw new StriataError('network', `cannot fetch ${name}.wasm: ${String(error)}`);
   });
@@ -75,12 +76,20 @@ async function fetchModule(name: ModuleName, url: string | URL): Promise<ArrayBu
     throw new StriataError(
       response.status === 404 ? 'not-found' : 'network',
       `cannot fetch ${name}.wasm from ${String(url)}: the server responded with ${response.status}`,
-      `the file is next to striata.js in the package; if you moved it, set the option \`${name === 'striata' ? 'wasm' : 'builder'}\``,
+      hint,
     );
   }
   // Streaming compilation requires the MIME type application/wasm, which some servers do not send.
-  return response.arrayBuffer();
+  const bytes = await response.arrayBuffer();
+  if (WASM_MAGIC.some((byte, at) => new Uint8Array(bytes)[at] !== byte)) {
+    const type = response.headers.get('Content-Type');
+    throw new StriataError('not-found', `${String(url)} is not the wasm module ${name}.wasm${type ? `, but ${type}` : ''}`, hint);
+  }
+  return bytes;
 }
+
+/** The first bytes of every wasm module. */
+const WASM_MAGIC = [0x00, 0x61, 0x73, 0x6d];
 
 /** A module that the page embeds in base64, compressed by gzip or not. */
 async function embeddedBytes(name: ModuleName): Promise<BufferSource | undefined> {

@@ -85,7 +85,7 @@ export default function errors(world) {
     try {
       await new Promise((resolve) => proxy.once('listening', resolve));
       await page.goto(`http://127.0.0.1:${proxy.address().port}/`);
-      await page.waitForFunction(() => document.querySelectorAll('#cards img').length > 5);
+      await page.waitForFunction(() => document.querySelectorAll('#cards .waiting').length > 5);
       await untilPending(6);
       await page.locator('#cards a[href*="icosphere"]').click();
       await untilWhole(page);

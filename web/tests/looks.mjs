@@ -17,9 +17,13 @@ export default function looks(world) {
     for (const name of ['nefertiti.stri', 'icosphere.stri', 'spot.striata', 'sub/terrain.stri', 'torus.obj']) {
       assert.ok(names.includes(name), `${name} is listed: ${names}`);
     }
-    const picture = page.locator('#cards a[href*="icosphere"] img');
-    await picture.scrollIntoViewIfNeeded();
-    await page.waitForFunction(() => [...document.querySelectorAll('#cards img')].every((image) => image.complete && image.naturalWidth > 0));
+    await page.locator('#cards a[href*="icosphere"]').scrollIntoViewIfNeeded();
+    await page.locator('#cards a[href*="icosphere"] img').waitFor();
+    assert.ok(await page.evaluate(() => [...document.querySelectorAll('#cards img')].every((image) => image.naturalWidth > 0)));
+    const broken = page.locator('#cards a[href*="garbage"]');
+    await broken.scrollIntoViewIfNeeded();
+    await broken.locator('.fault').waitFor();
+    assert.match(await broken.innerText(), /cannot be read[^]*not a \.stri/i, 'the card of a broken file says what is wrong');
     await shot(page, 'gallery');
     await page.locator('#cards a[href*="icosphere"]').click();
     await untilWhole(page);

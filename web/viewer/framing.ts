@@ -1,6 +1,6 @@
 /**
- * Frames the model: once, from the bounds of what has loaded first. Later bounds move the camera only if the model outgrows
- * the picture, smoothly, and never after the user has moved the camera.
+ * Frames the model: once, from the bounds of the vertices that have arrived first. Later bounds move the camera only if the model
+ * outgrows the picture, smoothly, and never after the user has moved the camera.
  */
 
 import { MathUtils, Sphere, Spherical, Vector3 } from 'three';
@@ -67,6 +67,12 @@ export class Framing {
     else this.glideTo(pose);
   }
 
+  /** Follows bounds that have changed although no vertices have arrived. */
+  remeasure(measure: () => Sphere | null, vertexCount: number): void {
+    this.#measuredVertexCount = 0;
+    this.follow(measure, vertexCount, true);
+  }
+
   /** Shows the whole model from the initial direction. */
   reset(): void {
     this.#isUserControlled = false;
@@ -77,9 +83,8 @@ export class Framing {
 
   /** Frames the model again after the pivot was tilted. */
   onTilted(measure: () => Sphere | null, vertexCount: number): void {
-    this.#measuredVertexCount = 0;
     this.#framed.radius = 0;
-    this.follow(measure, vertexCount, true);
+    this.remeasure(measure, vertexCount);
   }
 
   /** Moves the camera to a part of the model, and keeps its direction. */

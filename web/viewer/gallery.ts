@@ -51,12 +51,81 @@ export function fillGallery(listing: Listing, open: (model: ListedModel) => void
 
 /** Starts or pauses loading thumbnails: a browser opens few connections to a server, and the model being opened needs one. */
 export function setThumbnailsEnabled(isEnabled: boolean): void {
-  for (const image of element('cards').querySelectorAll('img')) {
-    if (isEnabled && image.dataset.pendingSrc) image.src = image.dataset.pendingSrc;
-    if (isEnabled || image.complete) continue;
-    image.dataset.pendingSrc = image.src;
-    image.removeAttribute('src');
+  thumbnails.setEnabled(isEnabled);
+}
+
+/** Distance from the window at which thumbnails start to load. */
+const NEAR = '600px';
+
+/** Header of a thumbnail with the reason why its file is broken. */
+const FAULT_HEADER = 'Striata-Fault';
+
+/** Loads the thumbnails of cards that are near the window. */
+class Thumbnails {
+  readonly #models = new Map<Element, ListedModel>();
+  /** Placeholders near the window whose pictures have not arrived. */
+  readonly #wanted = new Set<HTMLElement>();
+  readonly #observer = new IntersectionObserver((entries) => this.#onSeen(entries), { rootMargin: NEAR });
+  #abort: AbortController | null = new AbortController();
+
+  /** Returns a placeholder, which the picture will replace. */
+  placeholder(model: ListedModel): HTMLElement {
+    const holder = createNode('span', 'none waiting');
+    this.#models.set(holder, model);
+    this.#observer.observe(holder);
+    return holder;
   }
+
+  setEnabled(isEnabled: boolean): void {
+    if (isEnabled === (this.#abort !== null)) return;
+    this.#abort?.abort();
+    this.#abort = isEnabled ? new AbortController() : null;
+    for (const holder of this.#wanted) void this.#load(holder);
+  }
+
+  #onSeen(entries: IntersectionObserverEntry[]): void {
+    for (const { target, isIntersecting } of entries) {
+      if (!isIntersecting) continue;
+      this.#observer.unobserve(target);
+      this.#wanted.add(target as HTMLElement);
+      void this.#load(target as HTMLElement);
+    }
+  }
+
+  async #load(holder: HTMLElement): Promise<void> {
+    const [model, signal] = [this.#models.get(holder), this.#abort?.signal];
+    if (!model?.picture || !signal) return;
+    let found: Node = createNode('span', 'none', model.kind);
+    try {
+      const response = await fetch(model.picture, { signal });
+      const fault = response.headers.get(FAULT_HEADER);
+      if (fault) found = brokenFile(holder, model, decodeURIComponent(fault));
+      else if (response.ok) found = await pictureOf(await response.blob());
+    } catch {
+      // Without a picture, the card shows the kind of the model.
+    }
+    if (signal.aborted) return;
+    this.#wanted.delete(holder);
+    holder.replaceWith(found);
+  }
+}
+
+const thumbnails = new Thumbnails();
+
+async function pictureOf(bytes: Blob): Promise<HTMLImageElement> {
+  const image = createNode('img');
+  image.alt = '';
+  image.src = URL.createObjectURL(bytes);
+  await image.decode().finally(() => URL.revokeObjectURL(image.src));
+  return image;
+}
+
+/** Says on the card of a broken file what is wrong with it, and returns what stands in place of its picture. */
+function brokenFile(holder: HTMLElement, model: ListedModel, reason: string): HTMLElement {
+  const facts = holder.parentElement?.querySelector('small');
+  facts?.replaceChildren(`${formatBytes(model.bytes)} · ${reason}`);
+  facts?.classList.add('fault');
+  return createNode('span', 'none', 'cannot be read');
 }
 
 /** Address of this page with the given model. */
@@ -78,14 +147,7 @@ function card(model: ListedModel, open: (model: ListedModel) => void): HTMLAncho
 }
 
 function thumbnail(model: ListedModel): HTMLElement {
-  if (!model.picture) return createNode('span', 'none', model.kind);
-  const image = createNode('img');
-  image.src = model.picture;
-  image.alt = '';
-  image.loading = 'lazy';
-  image.decoding = 'async';
-  image.addEventListener('error', () => image.replaceWith(createNode('span', 'none', model.kind)));
-  return image;
+  return model.picture ? thumbnails.placeholder(model) : createNode('span', 'none', model.kind);
 }
 
 function describe(model: ListedModel): string {

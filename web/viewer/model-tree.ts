@@ -34,7 +34,7 @@ export class ModelTree {
   readonly #actions: TreeActions;
   readonly #list = element('tree');
   /** Counters of the meshes that are listed. */
-  #counts: { lod: StriataLod; node: HTMLElement }[] = [];
+  #counts: { counter: PartCounter; node: HTMLElement }[] = [];
   #hidden = new Set<Object3D>();
   /** Objects that are drawn, and their ancestors. Others, such as bones, are not listed. */
   #parts = new Set<Object3D>();
@@ -59,8 +59,8 @@ export class ModelTree {
 
   /** Updates the numbers of triangles. */
   update(): void {
-    for (const { lod, node } of this.#counts) {
-      const text = countText(lod);
+    for (const { counter, node } of this.#counts) {
+      const text = counter.text();
       if (node.textContent !== text) node.textContent = text;
     }
   }
@@ -129,9 +129,10 @@ export class ModelTree {
     button.title = `Move the camera to ${name}`;
     button.append(createNode('span', '', name));
     const lod = lodOf(object);
-    if (lod) {
-      const count = createNode('small', '', countText(lod));
-      this.#counts.push({ lod, node: count });
+    if (lod && object instanceof Mesh) {
+      const counter = new PartCounter(object, lod);
+      const count = createNode('small', '', counter.text());
+      this.#counts.push({ counter, node: count });
       button.append(count);
     }
     button.addEventListener('click', () => {
@@ -217,10 +218,31 @@ function materialsOf(object: Object3D): Material[] {
   return object instanceof Mesh ? [object.material as Material | Material[]].flat() : [];
 }
 
-function countText(lod: StriataLod): string {
-  const { triangleCount, fullTriangleCount } = lod;
-  if (triangleCount >= fullTriangleCount) return formatCount(fullTriangleCount);
-  return `${formatCount(triangleCount)} of ${formatCount(fullTriangleCount)}`;
+/** Counts the triangles that a part draws: of a mesh with several materials, each part draws its own share. */
+class PartCounter {
+  readonly #mesh: Mesh;
+  readonly #lod: StriataLod;
+  /** Number of triangles at the full level, once it has been shown. */
+  #full: number | null = null;
+
+  constructor(mesh: Mesh, lod: StriataLod) {
+    this.#mesh = mesh;
+    this.#lod = lod;
+  }
+
+  text(): string {
+    const { triangleCount, fullTriangleCount, meshes } = this.#lod;
+    const isWhole = new Set(meshes.map(({ geometry }) => geometry)).size === 1;
+    const shown = isWhole ? triangleCount : this.#drawnCount();
+    if (triangleCount >= fullTriangleCount) this.#full = shown;
+    const full = isWhole ? fullTriangleCount : this.#full;
+    return full === null || shown >= full ? formatCount(shown) : `${formatCount(shown)} of ${formatCount(full)}`;
+  }
+
+  #drawnCount(): number {
+    const { drawRange, index, attributes } = this.#mesh.geometry;
+    return Math.min(drawRange.count, (index ?? attributes.position!).count - drawRange.start) / 3;
+  }
 }
 
 /** Name of an object, or of what it is. */

@@ -34,6 +34,10 @@ export class Playback {
     return this.#clips.length > 0;
   }
 
+  get clipCount(): number {
+    return this.#clips.length;
+  }
+
   get isPlaying(): boolean {
     return this.#isPlaying;
   }
@@ -54,7 +58,8 @@ export class Playback {
     this.#mixer = null;
     this.#action = null;
     this.#isPlaying = false;
-    this.#clips = scene?.animations ?? [];
+    // A copy: a scene adds the clips that arrive later to its own list.
+    this.#clips = [...(scene?.animations ?? [])];
     element('playback').hidden = !this.isAvailable;
     if (!scene || !this.isAvailable) return;
     this.#mixer = new AnimationMixer(scene);

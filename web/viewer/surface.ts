@@ -1,10 +1,11 @@
 /** Materials of a model: whether it has any of its own, and how they are changed for the chosen appearance. */
 
-import { type Color, type Material, Mesh, type Object3D, type Texture } from 'three';
+import { type Color, type Material, Mesh, MeshStandardMaterial, type Object3D, type Texture } from 'three';
 
 /** Color of models without materials of their own. */
 const CLAY = 0xcfc4b4;
 const WHITE = 0xffffff;
+const CLAY_SURFACE = { metalness: 0, roughness: 0.8 };
 
 /** Colors that mean that a material has none. */
 const PLAIN = new Set([CLAY, WHITE]);
@@ -27,11 +28,17 @@ export function isBare(materials: Iterable<SurfaceMaterial>): boolean {
   return ![...materials].some(isOwn);
 }
 
-/** Gives the materials of a bare scan the color of clay, unless they show vertex colors, or takes it away again. */
+/**
+ * Makes the materials of a bare scan clay, with their vertex colors if they have any, or takes the clay away again. The material that
+ * glTF gives a mesh without one is metal, which is black under lamps.
+ */
 export function paintClay(materials: Iterable<SurfaceMaterial>, isClay: boolean): void {
   for (const material of materials) {
-    if (material.vertexColors || !PLAIN.has(material.color?.getHex() ?? WHITE)) continue;
-    material.color?.setHex(isClay ? CLAY : WHITE);
+    if (!PLAIN.has(material.color?.getHex() ?? WHITE)) continue;
+    if (!material.vertexColors) material.color?.setHex(isClay ? CLAY : WHITE);
+    if (!(material instanceof MeshStandardMaterial)) continue;
+    const own = (material.userData['ownSurface'] ??= { metalness: material.metalness, roughness: material.roughness }) as typeof CLAY_SURFACE;
+    Object.assign(material, isClay ? CLAY_SURFACE : own);
   }
 }
 

@@ -11,6 +11,7 @@ import { type Coloring, type ErrorCode, type Progress, StriataError, StriataLoad
 import { Bounds, boundsOf } from './bounds.ts';
 import { Comparison } from './comparison.ts';
 import { DetailControls } from './detail-controls.ts';
+import type { Saved } from './encode-worker.ts';
 import { encodeModel } from './encoder.ts';
 import { describeProgress, Stats } from './stats.ts';
 import { Framing } from './framing.ts';
@@ -106,20 +107,25 @@ export class Viewer {
     }
   }
 
-  /** Loads a model. A `.striata` file without a stream, as scenes have, is encoded as one first. */
+  /**
+   * Loads a model. Files that the page's own loaders cannot read are read by the reader of the command, which also says best what is
+   * wrong with them: a `.striata` file without a stream becomes a stream, every other file a plain GLB file.
+   */
   async #load(source: ModelSource, abort: AbortController): Promise<StriataScene> {
-    const load = (data: ModelSource['data'] | Blob): Promise<StriataScene> => this.#loader.open(data, {
-      name: source.name,
+    const load = (data: ModelSource['data'] | Blob, name: string, isConverted = false): Promise<StriataScene> => this.#loader.open(data, {
+      name,
+      ...(isConverted && !/\.gl(b|tf)(\.|$)/i.test(source.name) ? { smooth: true } : {}),
       signal: abort.signal,
       onProgress: (progress) => this.#onProgress(abort, progress, source),
     });
     try {
-      return await load(source.data);
+      return await load(source.data, source.name);
     } catch (error) {
-      if (!(error instanceof StriataError && error.code === 'unsupported' && /\.striata(\.|$)/i.test(source.name))) throw error;
+      if (!mayBeReadOtherwise(error, source.name)) throw error;
     }
-    const stream = await encodeModel(source, { format: 'stri', triangles: 0 }, abort.signal, (_, share) => this.#onProgress(abort, { ...NO_PROGRESS, phase: 'build', share }, source));
-    return load(stream);
+    const saved: Saved = isContainer(source.name) ? { format: 'stri', triangles: 0 } : { format: 'level', triangles: ALL_TRIANGLES };
+    const converted = await encodeModel(source, saved, abort.signal, (_, share) => this.#onProgress(abort, { ...NO_PROGRESS, phase: 'build', share }, source));
+    return load(converted, isContainer(source.name) ? source.name : `${source.name}.glb`, true);
   }
 
   /** Applies the chosen appearance to the model. */
@@ -180,7 +186,9 @@ export class Viewer {
     this.playback.setScene(model);
     // Animations may follow after everything else that the first picture needs.
     void model.animated.then(() => {
-      if (this.model === model && !this.playback.isAvailable) this.playback.setScene(model);
+      if (this.model !== model || this.playback.clipCount === model.animations.length) return;
+      this.playback.setScene(model);
+      this.framing.remeasure(() => this.#measure(model), model.vertexCount);
     });
     this.comparison.setScene(model);
     this.#tree.setScene(model);
@@ -261,8 +269,8 @@ export class Viewer {
   /** Bounds of the model, in all poses of its animation. */
   #measure(model: StriataScene): Sphere | null {
     const bounds = new Bounds();
-    if (this.playback.isAvailable) this.playback.samplePoses(MEASURED_POSES, () => bounds.add(model));
-    else bounds.add(model);
+    if (this.playback.isAvailable) this.playback.samplePoses(MEASURED_POSES, () => bounds.addArrived(model));
+    else bounds.addArrived(model);
     return bounds.sphere();
   }
 
@@ -285,23 +293,33 @@ export class Viewer {
   }
 }
 
-/** Hints for errors that the library gives none for. */
-const HINTS: Partial<Record<ErrorCode, string>> = {
-  format: 'The viewer opens .stri, .striata, .ply, .obj, .stl, .off, .gltf and .glb, optionally compressed as .gz or .zst.',
-  unsupported: 'The viewer opens .stri, .striata, .ply, .obj, .stl, .off, .gltf and .glb, optionally compressed as .gz or .zst.',
-  corrupt: 'Copy or download the file again.',
-};
+/** More triangles than any file has. */
+const ALL_TRIANGLES = 0xffff_ffff;
 
-/** Capitalizes a sentence and ends it with a period. */
-function sentence(text: string): string {
-  const whole = /[.!?]$/.test(text) ? text : `${text}.`;
-  return whole.charAt(0).toUpperCase() + whole.slice(1);
+const isContainer = (name: string): boolean => /\.striata(\.|$)/i.test(name);
+
+/** Whether the reader of the command may read a file, or explain better why it cannot be read. */
+function mayBeReadOtherwise(error: unknown, name: string): boolean {
+  if (!(error instanceof StriataError) || /\.stri(\.|$)/i.test(name)) return false;
+  return error.code === 'unsupported' || (!isContainer(name) && (error.code === 'format' || error.code === 'corrupt'));
+}
+
+const FORMATS = 'The viewer opens .stri, .striata, .ply, .obj, .stl, .off, .gltf, .glb, .3mf, .vtk, .vtp and .vtu, optionally compressed as .gz or .zst.';
+
+/** Hints for errors that the library gives none for. */
+const HINTS: Partial<Record<ErrorCode, string>> = { format: FORMATS, unsupported: FORMATS, corrupt: 'Copy or download the file again.' };
+
+/** Ends a sentence with a period, and capitalizes it unless it begins with the name of the file, which the title contains. */
+function sentence(text: string, name = ''): string {
+  const rest = name !== '' && text.startsWith(`${name}: `) ? text.slice(name.length + 2) : text;
+  const whole = /[.!?]$/.test(rest) ? rest : `${rest}.`;
+  return name !== '' && whole.startsWith(name) ? whole : whole.charAt(0).toUpperCase() + whole.slice(1);
 }
 
 /** Turns an error into a notice: the library's message and hint, plus what this page knows. */
 function noticeOf(error: unknown, title: string, source: ModelSource, retry: () => void) {
   const known = error instanceof StriataError ? error : null;
-  const reason = sentence(known?.message ?? (error instanceof Error ? error.message : String(error)));
+  const reason = sentence(known?.message ?? (error instanceof Error ? error.message : String(error)), source.name);
   const isNetwork = known?.code === 'network';
   let hint = known?.hint ?? (known ? HINTS[known.code] : undefined);
   if (isNetwork && source.url && isCrossOrigin(source.url)) {

@@ -1,6 +1,6 @@
 //! Builds a model from arrays that a page has: what another loader has read, or what a page has made.
 
-use striata::mesh::{ColorSpace, IndexedMesh, LayerData, TriangleGroup};
+use striata::mesh::{ColorSpace, IndexedMesh, LayerData, PositionEdges, TriangleGroup};
 use striata::simplify::{SequenceOptions, build_sequence_with_progress};
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -74,6 +74,15 @@ impl MeshBuilder {
         Ok(())
     }
 
+    /// Computes normals that are smooth up to creases of 50 degrees. Vertices at creases are divided.
+    ///
+    /// # Errors
+    /// If the mesh is inconsistent.
+    pub fn add_smooth_normals(&mut self) -> Result<(), Failure> {
+        self.mesh = PositionEdges::of(&self.mesh).map_err(Failure::corrupt)?.with_smooth_normals();
+        Ok(())
+    }
+
     /// Builds the levels.
     ///
     /// # Errors
@@ -102,5 +111,19 @@ mod tests {
         assert!(mesh.add_group(&[0, 1, 3]).is_err());
         assert!(mesh.add_group(&[0, 1]).is_err());
         assert!(mesh.add_group(&[0, 1, 2]).is_ok());
+    }
+
+    #[test]
+    fn normals_are_smooth_up_to_creases() {
+        // A roof of two triangles with an angle of 90 degrees, and a flat square.
+        let roof = [0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, -1.0, -1.0, 0.0, -1.0];
+        let square = [0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0];
+        for (positions, vertex_count) in [(roof, 6), (square, 4)] {
+            let mut mesh = MeshBuilder::new(&positions).unwrap();
+            mesh.add_group(&[0, 2, 1, 0, 1, 3]).unwrap();
+            mesh.add_smooth_normals().unwrap();
+            assert_eq!(mesh.mesh.vertex_count(), vertex_count);
+            assert_eq!(mesh.mesh.groups.len(), 1);
+        }
     }
 }

@@ -1,6 +1,6 @@
 /** Builds levels for a file that three.js' loaders have read, and shows them in its meshes. */
 
-import type { BufferGeometry, Mesh } from 'three';
+import type { BufferGeometry, Mesh, MeshStandardMaterial } from 'three';
 import { connectSceneEngine, type EngineConnection } from '../connection.ts';
 import { aborted, fromPlain, type StriataError } from '../error.ts';
 import type { SceneOrder, SceneReport } from '../scene/protocol.ts';
@@ -30,7 +30,7 @@ export class BuildTask {
   async run(file: ReadFile): Promise<StriataScene> {
     const { module, loader, options, download } = this.#context;
     const meshes = meshesOf(file.scenes);
-    const units = unitsOf(meshes, keysOf(file), !file.gltf);
+    const units = unitsOf(meshes, keysOf(file), options.smooth ?? !file.gltf);
     if (units.length === 0 && !file.gltf) throw noTriangles();
     const builder = await builderModule(loader);
     if (download.signal.aborted) throw aborted();
@@ -73,6 +73,7 @@ export class BuildTask {
       const [unit, group] = places.get(mesh.geometry) ?? [-1, 0];
       const geometry = this.#built.has(unit) ? this.#scene?.lodOf(unit)?.geometry.primitives[group] : undefined;
       if (!geometry) continue;
+      if (units[unit]!.arrays.isSmooth) for (const material of [mesh.material].flat()) (material as MeshStandardMaterial).flatShading = false;
       mesh.geometry = geometry;
       yield [mesh, unit];
     }

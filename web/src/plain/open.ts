@@ -51,7 +51,7 @@ export function readFile({ bytes, name }: WholeFile, context: SceneContext): Pro
 export async function openPlain(file: WholeFile, context: SceneContext): Promise<StriataScene> {
   const read = await readFile(file, context);
   const refined = read.gltf?.userData['striata'] as StriataScene | undefined;
-  if (!refined) return new BuildTask(context, file.bytes.length).run(read);
+  if (!refined) return new BuildTask(context, file.bytes.length + (read.companionBytes ?? 0)).run(read);
   refined.fill(read, []);
   refined.name = context.options.name ?? '';
   return refined;

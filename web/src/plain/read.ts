@@ -1,7 +1,7 @@
 /** Reads plain files of meshes with the loaders of three.js, which are fetched when they are needed. */
 
 import {
-  BufferGeometry, DoubleSide, Group, type Material, Mesh, MeshStandardMaterial, type MeshPhongMaterial, type LoadingManager, type Object3D,
+  BufferGeometry, DoubleSide, Group, type Material, Mesh, MeshStandardMaterial, type MeshPhongMaterial, type LoadingManager, LoaderUtils, type Object3D,
 } from 'three';
 import type { GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { StriataError } from '../error.ts';
@@ -12,6 +12,8 @@ import { isOff, parseOff } from './off.ts';
 /** A file that has been read. */
 export interface ReadFile extends SceneContents {
   gltf?: GLTF;
+  /** Size of the files that it refers to, as far as the browser says. */
+  companionBytes?: number;
 }
 
 /** How a file is read. */
@@ -74,7 +76,23 @@ async function readGltf(bytes: Uint8Array, { manager, path, configure }: ReadOpt
     loader.setMeshoptDecoder(MeshoptDecoder);
   }
   const gltf = await loader.parseAsync(bytes.slice().buffer as ArrayBuffer, path);
-  return { gltf, scene: gltf.scene, scenes: gltf.scenes, cameras: gltf.cameras, animations: gltf.animations };
+  const { scene, scenes, cameras, animations } = gltf;
+  return { gltf, scene, scenes, cameras, animations, companionBytes: companionBytes(gltf, path, manager) };
+}
+
+/** Size of the buffers and images that a document refers to. */
+function companionBytes({ parser }: GLTF, path: string, manager: LoadingManager): number {
+  const { buffers = [], images = [] } = parser.json as Record<'buffers' | 'images', { uri?: string }[] | undefined>;
+  const uris = new Set([...buffers, ...images].flatMap(({ uri }) => (uri && !uri.startsWith('data:') ? [uri] : [])));
+  let sum = 0;
+  for (const uri of uris) {
+    const url = manager.resolveURL(LoaderUtils.resolveURL(uri, path));
+    const base = typeof document === 'undefined' ? undefined : document.baseURI;
+    if (!URL.canParse(url, base)) continue;
+    const entry = performance.getEntriesByName(new URL(url, base).href).at(-1) as PerformanceResourceTiming | undefined;
+    sum += entry?.decodedBodySize ?? 0;
+  }
+  return sum;
 }
 
 async function readGeometry(format: 'ply' | 'stl' | 'off', bytes: Uint8Array): Promise<BufferGeometry> {
@@ -112,6 +130,8 @@ async function readObj(text: string, { manager, path }: ReadOptions): Promise<Ob
     }
   }
   const object = loader.parse(text);
+  // The loader gives every triangle its own normal if the file has none; smooth ones are computed instead.
+  if (!/^vn\s/m.test(text)) object.traverse((child) => void (child as Mesh).geometry?.deleteAttribute('normal'));
   const converted = new Map<Material, Material>();
   const convert = (material: Material) => {
     if (!converted.has(material)) converted.set(material, standardOf(material as MeshPhongMaterial));

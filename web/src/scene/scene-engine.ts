@@ -34,8 +34,6 @@ interface EngineMesh {
   isSettled: boolean;
   /** Whether fewer steps than wanted had arrived when the level was sent. */
   isShort?: boolean;
-  /** Whether smooth normals are computed. */
-  isSmooth?: boolean;
 }
 
 /** Decodes one scene. Pass orders to `take`; reports are delivered to the callback. */
@@ -129,7 +127,7 @@ export class SceneEngine {
       if (this.#isDisposed) return;
       try {
         const model = buildModel(mesh, (share) => this.#report({ type: 'building', share: (done + share * sizes[index]!) / total }));
-        this.#meshes[index] = { model, sentVertexCount: 0, sentLevel: '', isSettled: true, isSmooth: mesh.isSmooth };
+        this.#meshes[index] = { model, sentVertexCount: 0, sentLevel: '', isSettled: true };
       } catch (thrown) {
         failures.push([index, asPlain(asStriataError(thrown))]);
       }
@@ -319,7 +317,6 @@ export class SceneEngine {
     const numbers = withIndices ? this.#triangleNumbers(model) : undefined;
     const first = mesh.sentVertexCount;
     const layers = model.vertex_count > first ? newLayers(model, first) : [];
-    if (mesh.isSmooth && layers.length > 0) layers.push({ name: 'NORMAL', itemSize: 3, normalized: false, values: model.smooth_normals() });
     mesh.sentVertexCount = model.vertex_count;
     return {
       mesh: index,

@@ -4,8 +4,10 @@
 //! triangles only if the file has exactly the length that triangles give. Cost: one read of at most 64 KiB,
 //! or 1 MiB if a stream's header is that long.
 
+use std::collections::BTreeSet;
 use std::io::{self, Read, Seek, SeekFrom};
 
+use serde::Deserialize;
 use striata::file::FileHead;
 use striata_io::Format;
 use striata_stream::StreamInfo;
@@ -24,6 +26,8 @@ pub(super) struct HeaderFacts {
     pub triangle_count: Option<u64>,
     /// Vertex count of the full mesh, if known.
     pub vertex_count: Option<u64>,
+    /// Size of the files that the model refers to, bytes.
+    pub companion_bytes: u64,
 }
 
 impl HeaderFacts {
@@ -47,6 +51,31 @@ impl HeaderFacts {
     }
 }
 
+/// Longest document whose references are looked up, bytes.
+const MAX_DOCUMENT_BYTES: u64 = 16 << 20;
+
+/// URIs of the buffers and images of a glTF document, each once; none for other files.
+pub(super) fn companions(name: &str, file: &mut (impl Read + Seek), length: u64) -> BTreeSet<String> {
+    #[derive(Deserialize)]
+    struct Entry {
+        uri: Option<String>,
+    }
+    #[derive(Deserialize)]
+    struct Document {
+        #[serde(default)]
+        buffers: Vec<Entry>,
+        #[serde(default)]
+        images: Vec<Entry>,
+    }
+    if Format::from_extension(name) != Some(Format::Gltf) || length > MAX_DOCUMENT_BYTES {
+        return BTreeSet::new();
+    }
+    let bytes = first_bytes(file, MAX_DOCUMENT_BYTES as usize).unwrap_or_default();
+    let Ok(document) = serde_json::from_slice::<Document>(&bytes) else { return BTreeSet::new() };
+    let uris = document.buffers.into_iter().chain(document.images).filter_map(|entry| entry.uri);
+    uris.filter(|uri| !uri.starts_with("data:")).collect()
+}
+
 fn first_bytes(file: &mut (impl Read + Seek), count: usize) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     file.seek(SeekFrom::Start(0))?;
@@ -60,13 +89,14 @@ fn of_container(bytes: &[u8]) -> Option<HeaderFacts> {
         streams: head.stream().is_some(),
         triangle_count: Some(head.summary.triangle_count as u64),
         vertex_count: Some(head.summary.vertex_count as u64),
+        ..HeaderFacts::default()
     })
 }
 
 fn of_stream(bytes: &[u8]) -> Option<HeaderFacts> {
     let facts = StreamInfo::read(bytes).ok()??;
     let [triangle_count, vertex_count] = [facts.triangle_count, facts.vertex_count].map(|n| Some(n as u64));
-    Some(HeaderFacts { streams: true, triangle_count, vertex_count })
+    Some(HeaderFacts { streams: true, triangle_count, vertex_count, ..HeaderFacts::default() })
 }
 
 fn of_stl(bytes: &[u8], length: u64) -> Option<HeaderFacts> {
@@ -108,7 +138,7 @@ fn of_ply(bytes: &[u8], length: u64) -> Option<HeaderFacts> {
     Some(HeaderFacts {
         vertex_count: count("vertex"),
         triangle_count: are_triangles.then_some(faces),
-        streams: false,
+        ..HeaderFacts::default()
     })
 }
 
@@ -179,6 +209,16 @@ mod tests {
         assert_eq!(counts(head("a.ply", &longer)), [None, vertices], "the length does not match triangles");
         let ascii = to_bytes(Format::Ply, &mesh, &WriteOptions::default().with_ascii(true));
         assert_eq!(counts(head("a.ply", &ascii.expect("a small mesh"))), [None, vertices]);
+    }
+
+    #[test]
+    fn companions_are_those_of_the_document() {
+        let json = br#"{"buffers": [{"uri": "a%20b.bin"}, {"byteLength": 3}], "images": [{"uri": "x.png"},
+            {"uri": "x.png"}, {"uri": "data:image/png;base64,AA=="}, {"bufferView": 1}]}"#;
+        let found = |name| companions(name, &mut Cursor::new(&json[..]), json.len() as u64);
+        assert_eq!(found("a.gltf").into_iter().collect::<Vec<_>>(), ["a%20b.bin", "x.png"]);
+        assert!(found("a.obj").is_empty());
+        assert!(companions("a.gltf", &mut Cursor::new(b"{"), 1).is_empty());
     }
 
     #[test]

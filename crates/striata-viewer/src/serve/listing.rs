@@ -23,7 +23,7 @@ use tokio::io::AsyncReadExt as _;
 use tokio::sync::Mutex;
 
 use super::folder::{Folder, Stamp, encoded};
-use super::header_facts::HeaderFacts;
+use super::header_facts::{HeaderFacts, companions};
 use super::validators::{Coding, Validators};
 
 /// Age after which the list is rebuilt.
@@ -190,10 +190,22 @@ fn build_list(
 }
 
 fn read_header(folder: &Folder, name: &str) -> HeaderFacts {
-    let found = folder.find(&encoded(name));
-    found.map_or_else(HeaderFacts::default, |mut found| {
-        HeaderFacts::read(name, &mut found.file, found.stamp.bytes)
-    })
+    let Some(mut found) = folder.find(&encoded(name)) else { return HeaderFacts::default() };
+    let mut facts = HeaderFacts::read(name, &mut found.file, found.stamp.bytes);
+    let base = name.rsplit_once('/').map_or(String::new(), |(base, _)| format!("{base}/"));
+    // URIs in documents are percent-encoded, or should be.
+    let size_of = |uri: &String| {
+        let path = format!("{}{uri}", encoded_folder(&base));
+        folder.find(&path).or_else(|| folder.find(&encoded(&format!("{base}{uri}"))))
+    };
+    let files = companions(name, &mut found.file, found.stamp.bytes);
+    facts.companion_bytes = files.iter().filter_map(size_of).map(|found| found.stamp.bytes).sum();
+    facts
+}
+
+/// Percent-encodes a folder that ends with a slash, or is empty.
+fn encoded_folder(base: &str) -> String {
+    base.strip_suffix('/').map_or(String::new(), |base| format!("{}/", encoded(base)))
 }
 
 impl<'a> Model<'a> {
@@ -202,7 +214,7 @@ impl<'a> Model<'a> {
         Self {
             name: path.rsplit('/').next().unwrap_or(path),
             path,
-            bytes: stamp.bytes,
+            bytes: stamp.bytes + head.companion_bytes,
             modified_secs: stamp.modified_secs(),
             kind: Format::from_extension(path).map_or("", Format::extension),
             streams: head.streams,

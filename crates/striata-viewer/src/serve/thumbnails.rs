@@ -2,7 +2,8 @@
 //!
 //! Files may be huge, damaged or malicious. So `striata thumbnail` draws them in another process, one at a
 //! time, with limits on memory and time: whatever happens to that process, the server continues, and its
-//! own memory does not grow.
+//! own memory does not grow. If it reports that the file is broken, the response is a placeholder with the
+//! reason in a header.
 
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -13,9 +14,10 @@ use std::time::Duration;
 use axum::body::Bytes;
 use axum::extract::State;
 use axum::http::header::{CACHE_CONTROL, CONTENT_TYPE};
-use axum::http::{HeaderMap, HeaderValue, Uri};
+use axum::http::{HeaderMap, HeaderName, HeaderValue, Uri};
 use axum::response::{IntoResponse, Response};
 use lru::LruCache;
+use percent_encoding::{NON_ALPHANUMERIC, utf8_percent_encode};
 use tokio::process::Command;
 use tokio::sync::Semaphore;
 use tokio::time::timeout;
@@ -48,9 +50,20 @@ pub(super) struct Thumbnails {
     placeholder: Bytes,
 }
 
-/// A thumbnail, or none if the model cannot be drawn.
+/// Outcome of drawing a model.
 #[derive(Clone, Debug)]
-struct Thumbnail(Option<Bytes>);
+enum Thumbnail {
+    Picture(Bytes),
+    /// The file is broken, for a reason.
+    Broken(String),
+    /// The model cannot be drawn within the limits.
+    TooLarge,
+}
+
+/// Header with the reason why a file is broken, percent-encoded.
+const FAULT: HeaderName = HeaderName::from_static("striata-fault");
+/// Maximum length of a reason, characters.
+const MAX_REASON: usize = 300;
 
 impl Thumbnails {
     /// Creates an empty cache and draws the placeholder for models that cannot be drawn.
@@ -82,20 +95,34 @@ impl Thumbnails {
         if let Some(picture) = self.cached(name, stamp) {
             return Some(picture);
         }
-        let picture = Thumbnail(self.draw(path).await);
+        let picture = self.draw(path).await.unwrap_or(Thumbnail::TooLarge);
         let mut cache = self.cache.lock().unwrap_or_else(PoisonError::into_inner);
         cache.put(name.to_owned(), (stamp, picture.clone()));
         Some(picture)
     }
 
-    async fn draw(&self, path: &Path) -> Option<Bytes> {
+    async fn draw(&self, path: &Path) -> Option<Thumbnail> {
+        let (folder, name) = (path.parent()?, path.file_name()?);
         let mut command = Command::new(&self.program);
-        command.arg("thumbnail").arg(path).stdin(Stdio::null()).stderr(Stdio::null()).kill_on_drop(true);
+        // A relative name: messages must not tell where the folder is.
+        command.arg("thumbnail").arg(Path::new(".").join(name)).current_dir(folder);
+        command.stdin(Stdio::null()).kill_on_drop(true);
         let output = timeout(DRAWING_TIMEOUT, command.output()).await.ok()?.ok()?;
+        if output.status.code() == Some(1) {
+            return reason_of(&String::from_utf8_lossy(&output.stderr)).map(Thumbnail::Broken);
+        }
         let png = output.stdout;
         let is_picture = output.status.success() && png.starts_with(PNG) && png.len() <= MAX_BYTES;
-        is_picture.then(|| png.into_boxed_slice().into())
+        is_picture.then(|| Thumbnail::Picture(png.into_boxed_slice().into()))
     }
+}
+
+/// Reason in the message of the process that draws: its first line, without the name of the file.
+fn reason_of(message: &str) -> Option<String> {
+    let line = message.lines().find_map(|line| line.strip_prefix("error: "))?;
+    let reason =
+        line.strip_prefix("./").map_or(line, |named| named.split_once(": ").map_or(named, |(_, it)| it));
+    Some(reason.chars().take(MAX_REASON).collect())
 }
 
 /// Handles requests for `pictures/PATH.png`.
@@ -110,9 +137,10 @@ pub(super) async fn handle(
     let path = folder.path().join(&found.name);
     let picture = thumbnails.get(&found.name, found.stamp, &path).await;
     let is_final = picture.is_some();
-    let (png, state) = match picture {
-        Some(Thumbnail(Some(png))) => (png, "picture"),
-        _ => (thumbnails.placeholder.clone(), "placeholder"),
+    let (png, state, reason) = match picture {
+        Some(Thumbnail::Picture(png)) => (png, "picture", None),
+        Some(Thumbnail::Broken(reason)) => (thumbnails.placeholder.clone(), "broken", Some(reason)),
+        Some(Thumbnail::TooLarge) | None => (thumbnails.placeholder.clone(), "placeholder", None),
     };
     let tag = format!("{}-{state}", found.stamp.tag());
     let validators = Validators::new(&tag, Coding::Plain, None);
@@ -123,8 +151,25 @@ pub(super) async fn handle(
     validators.apply(&mut response);
     let headers = response.headers_mut();
     headers.insert(CONTENT_TYPE, HeaderValue::from_static("image/png"));
+    if let Some(reason) = reason {
+        let encoded = utf8_percent_encode(&reason, NON_ALPHANUMERIC).to_string();
+        headers.extend(HeaderValue::try_from(encoded).ok().map(|reason| (FAULT, reason)));
+    }
     if !is_final {
         headers.insert(CACHE_CONTROL, HeaderValue::from_static("no-store"));
     }
     response
+}
+
+#[cfg(test)]
+mod tests {
+    use super::reason_of;
+
+    #[test]
+    fn reasons_do_not_repeat_the_name() {
+        let message = "warning: x\nerror: ./a b.obj: line 106: expected a number\n  --> ./a b.obj:106\nhint: correct it\n";
+        assert_eq!(reason_of(message).as_deref(), Some("line 106: expected a number"));
+        assert_eq!(reason_of("error: out of memory").as_deref(), Some("out of memory"));
+        assert_eq!(reason_of("thread panicked"), None);
+    }
 }
