@@ -12,7 +12,7 @@ export default defineConfig({
   publicDir: false,
   worker: { format: 'iife' },
   // The page builds levels with the module that also saves models.
-  resolve: { alias: [{ find: /^\.\/wasm\/striata-builder\.js$/, replacement: fileURLToPath(new URL('viewer/wasm/striata-encoder.js', import.meta.url)) }] },
+  resolve: { alias: [{ find: /^\.{1,2}\/wasm\/striata-builder\.js$/, replacement: fileURLToPath(new URL('viewer/wasm/striata-encoder.js', import.meta.url)) }] },
   server: { fs: { allow: ['..'] } },
   build: {
     // The check builds into another folder than the committed one.

@@ -2,6 +2,7 @@
 
 import { Engine } from './engine.ts';
 import { StriataError, asPlain, type PlainError } from './error.ts';
+import { PagedEngine, type PagedOrder } from './paged/engine.ts';
 import type { Order, Report } from './protocol.ts';
 import type { SceneOrder, SceneReport } from './scene/protocol.ts';
 import { SceneEngine } from './scene/scene-engine.ts';
@@ -29,6 +30,12 @@ export function connectEngine(module: WebAssembly.Module, useWorker: boolean, re
   return (useWorker && connectWorker<Order, Report>(module, 'mesh', report)) || onPage();
 }
 
+/** Starts an engine of a paged file. */
+export function connectPagedEngine(module: WebAssembly.Module, useWorker: boolean, report: (report: Report) => void): EngineConnection<PagedOrder> {
+  const onPage = () => connectOnPage<PagedOrder, Report>(module, report, (send) => new PagedEngine(send));
+  return (useWorker && connectWorker<PagedOrder, Report>(module, 'paged', report)) || onPage();
+}
+
 /** Starts an engine of a scene. */
 export function connectSceneEngine(
   module: WebAssembly.Module, useWorker: boolean, report: (report: SceneReport) => void,
@@ -39,7 +46,7 @@ export function connectSceneEngine(
 
 /** Returns undefined if workers are not available. */
 function connectWorker<O, R>(
-  module: WebAssembly.Module, engine: 'mesh' | 'scene', report: (report: R | { type: 'failed'; error: PlainError }) => void,
+  module: WebAssembly.Module, engine: 'mesh' | 'paged' | 'scene', report: (report: R | { type: 'failed'; error: PlainError }) => void,
 ): EngineConnection<O> | undefined {
   let worker: Worker;
   try {

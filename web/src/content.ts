@@ -7,8 +7,8 @@ import { StreamPlace } from './wasm/striata.js';
 
 /** The bytes of a stream, or of a whole file. */
 export interface Content {
-  /** Whether it is the stream of a mesh or a scene, a glTF file, or another file. */
-  kind: 'stream' | 'scene' | 'gltf' | 'file';
+  /** Whether it is the stream of a mesh or a scene, a paged file, a glTF file, or another file. */
+  kind: 'stream' | 'scene' | 'paged' | 'gltf' | 'file';
   /** Whether the stream is part of a `.striata` file. */
   isInContainer: boolean;
   chunks: ByteChunks;
@@ -29,8 +29,7 @@ export async function contentOf(opened: OpenedSource): Promise<Content> {
   }
   if (isPaged(head.bytes)) {
     await head.drop();
-    throw new StriataError('format', `${opened.name || 'the source'} is a paged file, which pages cannot show yet`,
-      'extract a level of it, or look at it with `striata render`: striata extract FILE --triangles 1M -o LEVEL.glb');
+    return { kind: 'paged', isInContainer: false, chunks: head.all(), byteCount: null };
   }
   const whole = (kind: Content['kind']): Content => ({ kind, isInContainer: false, chunks: head.all(), byteCount: opened.length });
   if (isStream(head.bytes)) return whole('stream');

@@ -6,6 +6,7 @@ import { contentOf } from './content.ts';
 import { aborted, asStriataError } from './error.ts';
 import type { StriataMesh } from './mesh.ts';
 import { MeshTask } from './mesh-task.ts';
+import { placeOf } from './paged/ranges.ts';
 import { openPlain, wholeFile } from './plain/open.ts';
 import { sceneOfMesh } from './scene/mesh-scene.ts';
 import { SceneTask } from './scene/scene-task.ts';
@@ -107,6 +108,10 @@ class SceneLoader extends ThreeLoader<StriataScene> {
     const loader = { ...this.#options, pixelError: this.pixelError };
     const path = this.resourcePath || (typeof address === 'string' ? LoaderUtils.extractUrlBase(address) : '');
     const context = { module, loader, options, path, manager: this.manager, download };
+    if (content.kind === 'paged') {
+      const place = placeOf(address, opened.name, this.requestHeader as Record<string, string>, credentials);
+      return sceneOfMesh(await new MeshTask(loader, options).runPaged(module, place, download), loader);
+    }
     if (content.kind === 'scene') return new SceneTask({ ...context, kind: 'stream' }, content.byteCount).run(content.chunks);
     if (content.kind === 'gltf' || content.kind === 'file') {
       const total = opened.length;

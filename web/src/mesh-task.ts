@@ -4,8 +4,9 @@ import { LoadingManager } from 'three';
 import { iterable, open } from './bytes.ts';
 import { contentOf, type Content } from './content.ts';
 import { aborted, asPlain, asStriataError, fromPlain, StriataError } from './error.ts';
-import { connectEngine, type EngineConnection } from './connection.ts';
+import { connectEngine, connectPagedEngine, type EngineConnection } from './connection.ts';
 import { StriataMesh, type LoaderHandle } from './mesh.ts';
+import { nameOf, placeOf, type PagedPlace } from './paged/ranges.ts';
 import { mergedArrays } from './plain/arrays.ts';
 import { readFile, wholeFile } from './plain/open.ts';
 import type { Order, Report } from './protocol.ts';
@@ -69,6 +70,7 @@ export class MeshTask {
       throw new StriataError('unsupported', 'this is a scene, not a single mesh', 'use `loader.loadAsync(url)`');
     }
     if (content.kind === 'stream') return this.#receive(module, content);
+    if (content.kind === 'paged') return this.#openPaged(module, placeOf(source, opened.name));
     const file = await wholeFile(content, opened.name, this.#download.signal, (received) => {
       this.#received = received;
       this.#progress();
@@ -89,6 +91,23 @@ export class MeshTask {
     const loaded = this.#begin();
     this.#receive(module, content).catch((thrown: unknown) => this.#onSourceError(asStriataError(thrown)));
     return loaded;
+  }
+
+  /** Loads a paged file, whose engine fetches what it needs. */
+  runPaged(module: WebAssembly.Module, place: PagedPlace, download: AbortController): Promise<StriataMesh> {
+    download.signal.addEventListener('abort', () => this.#download.abort());
+    const loaded = this.#begin();
+    this.#openPaged(module, place).catch((thrown: unknown) => this.#onSourceError(asStriataError(thrown)));
+    return loaded;
+  }
+
+  async #openPaged(module: WebAssembly.Module, place: PagedPlace): Promise<void> {
+    const builder = await builderModule(this.#loader);
+    if (this.#stop.signal.aborted) return;
+    [this.#received, this.#total] = [0, null];
+    const engine = connectPagedEngine(module, this.#loader.worker ?? true, (report) => this.#onMessage(report));
+    this.#engine = engine;
+    engine.send({ type: 'open', place, name: nameOf(place), module: builder });
   }
 
   async #receive(module: WebAssembly.Module, content: Content): Promise<void> {
@@ -120,6 +139,7 @@ export class MeshTask {
     switch (report.type) {
       case 'update':
         if (this.#isInContainer) report.state.kind = 'striata';
+        this.#received = report.state.receivedBytes ?? this.#received;
         if (this.#mesh) {
           this.#mesh.update(report);
         } else if (report.indices.length > 0 || report.state.complete) {
@@ -128,6 +148,9 @@ export class MeshTask {
           this.#resolve(this.#mesh);
         }
         this.#progress();
+        break;
+      case 'accepted':
+        this.#mesh?.accept(report.ticket);
         break;
       case 'building':
         this.#progress('build', report.share);

@@ -234,8 +234,16 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
     this.dispatchEvent({ type: 'change' });
   }
 
+  /** Allows the next request, before this one has been met; called by the loader. */
+  accept(ticket: number): void {
+    if (ticket !== this.#ticket) return;
+    [this.#isWaiting, this.#isSettled] = [false, true];
+    if (this.#hasChanged) this.#send();
+  }
+
   /** Returns the indices of a level, one list for each group; the shown level stays. */
   indicesOf(request: LevelRequest): Promise<Uint32Array[]> {
+    if (this.kind === 'paged') return Promise.reject(new StriataError('unsupported', 'the levels of a paged file do not share their vertices'));
     return new Promise((resolve) => {
       this.#pendingIndices.push({ request, resolve });
       this.#send();

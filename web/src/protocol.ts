@@ -48,6 +48,8 @@ export interface State {
   fullTriangleCount: number;
   stepCount: number;
   streamBytes: number;
+  /** Of a paged file: the bytes that have been fetched. */
+  receivedBytes?: number;
   /** Minimum and maximum coordinates; empty before any vertices have loaded. */
   bounds: Float32Array;
   diagonal: number;
@@ -78,6 +80,8 @@ export interface Update {
 /** Messages from the engine to the page. */
 export type Report =
   | Update
+  /** A request whose level will follow in updates without a ticket. */
+  | { type: 'accepted'; ticket: number }
   | { type: 'building'; share: number }
   /** Loading has failed. If no update was sent before, there is no mesh either. */
   | { type: 'failed'; error: PlainError }

@@ -6,8 +6,8 @@ import type { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 /** A source of a model's bytes; a string is a URL. */
 export type Source = string | URL | File | Blob | ArrayBuffer | ReadableStream<Uint8Array>;
 
-/** What was loaded: a stream, a `.striata` file, a glTF file, or a plain mesh that was simplified in the browser. */
-export type Kind = 'stream' | 'striata' | 'gltf' | 'mesh';
+/** What was loaded: a stream, a `.striata` file, a paged file, a glTF file, or a plain mesh that was simplified in the browser. */
+export type Kind = 'stream' | 'striata' | 'paged' | 'gltf' | 'mesh';
 
 /** How triangles are colored: by the material, or by the strip, fan or triangle they belong to. */
 export type Coloring = 'surface' | 'strips' | 'fans' | 'triangles';

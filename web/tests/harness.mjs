@@ -160,7 +160,7 @@ function countRequests() {
         workers.set(this, (worker = { requested: 0, answered: 0 }));
         this.addEventListener('message', ({ data }) => {
           // Updates without a ticket answer no request.
-          if (data.type === 'update') worker.answered = Math.max(worker.answered, data.ticket);
+          if (data.type === 'update' || data.type === 'accepted') worker.answered = Math.max(worker.answered, data.ticket);
         });
       }
       worker.requested = order.ticket;

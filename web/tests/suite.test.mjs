@@ -8,6 +8,7 @@ import files from './files.mjs';
 import { world } from './harness.mjs';
 import looks from './looks.mjs';
 import opening from './opening.mjs';
+import paged from './paged.mjs';
 import phone from './phone.mjs';
 import references from './references.mjs';
 import saving from './saving.mjs';
@@ -21,6 +22,6 @@ describe('viewer', { concurrency: 1 }, () => {
   const shared = {};
   before(async () => void Object.assign(shared, await world()), { timeout: 1_200_000 });
   after(() => shared.end?.(), { timeout: 600_000 });
-  const viewer = [streaming, detail, views, files, opening, sceneViewer, saving, errors, looks, phone];
+  const viewer = [streaming, detail, views, files, opening, paged, sceneViewer, saving, errors, looks, phone];
   for (const group of [...viewer, scenes, references, examples, speed]) group(shared);
 });

@@ -74,6 +74,10 @@ export class DetailControls {
     this.#isViewAvailable = false;
     input('freeze').checked = false;
     if (this.mode === 'pixels') this.#select('level');
+    if (model?.kind === 'paged') {
+      this.#isViewAvailable = true;
+      this.#select('pixels');
+    }
     if (this.mode === 'budget') this.#onBudgetSlider();
     else this.apply();
   }

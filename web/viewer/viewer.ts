@@ -192,7 +192,8 @@ export class Viewer {
     });
     this.comparison.setScene(model);
     this.#tree.setScene(model);
-    this.#saving.setSource(source);
+    // Saving reads whole files.
+    this.#saving.setSource(model.kind === 'paged' ? null : source);
     this.detail.setModel(model);
     this.#update(model);
     this.onShown();
@@ -202,13 +203,15 @@ export class Viewer {
     const update = (): void => this.#update(model);
     model.addEventListener('change', update);
     model.addEventListener('progress', update);
+    // Pages of a paged file are read as long as it is shown.
+    if (model.kind === 'paged') model.addEventListener('error', ({ error }) => this.model === model && this.#reportIncomplete(model, source, error));
     model.finished.then(
       () => {
         if (this.model !== model) return;
         update();
         if (!this.#isOpening) this.#stats.progress(null);
         this.detail.enableViews();
-        this.comparison.enable();
+        if (model.kind !== 'paged') this.comparison.enable();
         announce(`Loaded ${source.name}: ${formatCount(model.fullTriangleCount)} triangles`);
       },
       (error: unknown) => {
@@ -332,5 +335,5 @@ function noticeOf(error: unknown, title: string, source: ModelSource, retry: () 
 
 function kindOf(model: StriataScene): string {
   if (model.kind === 'mesh') return 'simplified in the browser';
-  return { stream: 'stream', gltf: 'glTF with levels', striata: '.striata file' }[model.kind];
+  return { stream: 'stream', gltf: 'glTF with levels', striata: '.striata file', paged: 'paged file' }[model.kind];
 }

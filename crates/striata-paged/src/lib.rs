@@ -12,7 +12,7 @@
 //! | --- | --- |
 //! | `metadata.rs`, `directory.rs`, `head.rs` | what is known before any page is read |
 //! | `page.rs`, `codec/` | pages and their bytes |
-//! | `reader.rs`, `store.rs`, `paged_file.rs`, `paged_view.rs` | reading what a level or a view needs |
+//! | `reader.rs`, `store.rs`, `supplied_store.rs`, `paged_file.rs`, `paged_view.rs` | reading what a level or a view needs |
 //! | `loaded.rs`, `replaced.rs`, `mesh_parts.rs` | how pages in memory refer to each other |
 //! | `assemble.rs` | a mesh made of pages, with all of its levels |
 //! | `cut/` | levels of varying detail made of pages |
@@ -41,6 +41,7 @@ mod reader;
 mod remote;
 mod replaced;
 mod store;
+mod supplied_store;
 
 pub use assemble::{Assembled, assemble};
 pub use cut::{CutPages, PagedCut};
@@ -54,3 +55,4 @@ pub use paged_file::{PagedFile, ReadStatistics};
 pub use paged_view::ViewCut;
 pub use reader::{PagedReader, StoredPlace, Want};
 pub use store::{FileStore, Store, open_store};
+pub use supplied_store::SuppliedStore;

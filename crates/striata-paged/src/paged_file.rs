@@ -40,6 +40,7 @@ pub struct PagedFile {
     store: Box<dyn Store>,
     reader: PagedReader,
     statistics: ReadStatistics,
+    max_vertices: u64,
     pub(crate) levels: LevelState,
 }
 
@@ -58,11 +59,19 @@ impl PagedFile {
     /// [`PagedError`] if the head cannot be read.
     pub fn with_store(store: Box<dyn Store>) -> Result<Self, PagedError> {
         let (reader, statistics) = (PagedReader::new(), ReadStatistics::default());
-        let mut file = Self { store, reader, statistics, levels: LevelState::default() };
+        let (max_vertices, levels) = (MAX_CACHED_VERTICES, LevelState::default());
+        let mut file = Self { store, reader, statistics, max_vertices, levels };
         while file.reader.metadata().is_none() {
             file.fetch()?;
         }
         Ok(file)
+    }
+
+    /// Forgets pages of earlier levels if all pages in memory would have more vertices than this; a vertex
+    /// takes about 60 bytes. By default, these are 10 million.
+    #[must_use]
+    pub fn with_max_vertices(self, max_vertices: u64) -> Self {
+        Self { max_vertices, ..self }
     }
 
     /// Name of the file or address.
@@ -157,7 +166,7 @@ impl PagedFile {
         let needed: BTreeSet<u32> = pages.iter().copied().collect();
         let others: Vec<u32> = known.into_iter().filter(|page| !needed.contains(page)).collect();
         let total: u64 = others.iter().chain(&needed).map(|&page| vertices(page)).sum();
-        if total > MAX_CACHED_VERTICES {
+        if total > self.max_vertices {
             others.into_iter().for_each(|page| self.reader.evict(page));
         }
     }

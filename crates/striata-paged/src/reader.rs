@@ -16,7 +16,7 @@ const MAX_GAP: u64 = 1 << 14;
 const MAX_WANT: u64 = 8 << 20;
 
 /// File or object that contains bytes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum StoredPlace {
     /// The file, or the head of a folder or bucket.
     Head,

@@ -7,7 +7,8 @@
 //! This crate knows nothing about pages, workers or three.js; the npm package (`web/src`) does.
 //!
 //! In reading order: `model` is the class; it contains a `streamed_model` or a `built_model` (which
-//! `stored_model` reads from files), and both return a `shown_level`. `stream_place`, `limits` and
+//! `stored_model` reads from files), and both return a `shown_level`. `paged_model` is a file of pages, which are
+//! fetched when a level needs them. `stream_place`, `limits` and
 //! `failure` check bytes, `view` and `coloring` handle requests, `vertices` and `normals` are the results,
 //! and `progress` reports progress.
 //!
@@ -22,7 +23,7 @@
 mod built_arrays;
 #[cfg(feature = "files")]
 mod built_model;
-#[cfg(any(feature = "stream", feature = "files"))]
+#[cfg(any(feature = "stream", feature = "files", feature = "paged"))]
 mod coloring;
 #[cfg(feature = "encode")]
 mod encoder;
@@ -35,8 +36,10 @@ mod limits;
 mod mesh_builder;
 #[cfg(any(feature = "stream", feature = "files"))]
 mod model;
-#[cfg(any(feature = "stream", feature = "files"))]
+#[cfg(any(feature = "stream", feature = "files", feature = "paged"))]
 mod normals;
+#[cfg(feature = "paged")]
+mod paged_model;
 #[cfg(feature = "stream")]
 mod prefix_model;
 #[cfg(feature = "stream")]
@@ -47,7 +50,7 @@ mod progress;
 mod scene_model;
 #[cfg(feature = "stream")]
 mod scene_parts;
-#[cfg(any(feature = "stream", feature = "files"))]
+#[cfg(any(feature = "stream", feature = "files", feature = "paged"))]
 mod shown_level;
 #[cfg(feature = "files")]
 mod stored_model;
@@ -58,7 +61,7 @@ mod stream_source;
 #[cfg(feature = "stream")]
 mod streamed_model;
 mod vertices;
-#[cfg(any(feature = "stream", feature = "files"))]
+#[cfg(any(feature = "stream", feature = "files", feature = "paged"))]
 mod view;
 
 #[cfg(feature = "build")]
@@ -70,6 +73,8 @@ pub use failure::Failure;
 pub use mesh_builder::MeshBuilder;
 #[cfg(any(feature = "stream", feature = "files"))]
 pub use model::Model;
+#[cfg(feature = "paged")]
+pub use paged_model::{PagedModel, PagedWant};
 #[cfg(feature = "stream")]
 pub use prefix_parts::PrefixParts;
 #[cfg(feature = "build")]
@@ -79,7 +84,7 @@ pub use scene_model::{SceneDocument, SceneImage, SceneModel};
 #[cfg(any(feature = "stream", feature = "files"))]
 pub use stream_place::StreamPlace;
 pub use vertices::{VertexLayer, Vertices};
-#[cfg(any(feature = "stream", feature = "files"))]
+#[cfg(any(feature = "stream", feature = "files", feature = "paged"))]
 pub use view::View;
 
 /// Compiles the readme's example with the documentation tests.

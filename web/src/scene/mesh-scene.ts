@@ -10,6 +10,8 @@ import { StriataScene } from './scene.ts';
 export function sceneOfMesh(mesh: StriataMesh, { pixelError = 1 }: LoaderOptions): StriataScene {
   const scene = new MeshScene(mesh);
   if (pixelError !== null) scene.pixelError = pixelError;
+  // All of a paged file would be too much.
+  else if (mesh.kind === 'paged') scene.pixelError = 1;
   return scene;
 }
 

@@ -6,7 +6,7 @@ use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Random, Semantic, re
 use striata::view::DetailBox;
 use striata_io::WriteOptions;
 use striata_paged::build::{BuildInput, BuildOptions};
-use striata_paged::{Assembled, CutPages, Page, assemble};
+use striata_paged::{Assembled, CutPages, Page, PagedError, PagedFile, SuppliedStore, assemble};
 use tempfile::TempDir;
 
 use crate::workshop::{attributed, borders, build, check_levels, full, open, options, soup};
@@ -254,4 +254,43 @@ fn a_level_reads_the_pages_that_it_needs() {
     let finer = file.find(Target::Triangles(5000)).unwrap();
     assert!(finer.triangle_count > 4500 && file.statistics().page_count > read);
     assert_eq!(open(&path).find(Target::Triangles(500)).unwrap().shape, coarse.shape);
+}
+
+/// Repeats an action until a store has all bytes that it needs, which come from a file.
+fn with_bytes<T>(store: &SuppliedStore, file: &[u8], mut act: impl FnMut() -> Result<T, PagedError>) -> T {
+    for _ in 0..1000 {
+        match act() {
+            Ok(found) => return found,
+            Err(error) => {
+                let wants = store.take_wants();
+                assert!(!wants.is_empty(), "{error}");
+                for want in wants {
+                    let [from, to] =
+                        [want.range.start, want.range.end].map(|at| (at as usize).min(file.len()));
+                    store.supply(want, file[from..to].to_vec());
+                }
+            }
+        }
+    }
+    panic!("a level needs more and more bytes");
+}
+
+#[test]
+fn levels_do_not_depend_on_who_fetches_the_bytes() {
+    let folder = TempDir::new().unwrap();
+    let path = build(&folder, BuildInput::Terrain(150), options(), 1);
+    let bytes = std::fs::read(&path).unwrap();
+    let store = SuppliedStore::new("supplied");
+    let mut supplied = with_bytes(&store, &bytes, || PagedFile::with_store(Box::new(store.clone())));
+    // The cache is so small that pages are read again and again.
+    supplied = supplied.with_max_vertices(5_000);
+    let metadata = supplied.metadata().clone();
+    let middle = [0, 1, 2].map(|axis| f32::midpoint(metadata.min[axis], metadata.max[axis]));
+    for share in [0.5, 0.1, 0.02, 0.005] {
+        store.clear();
+        let error = share * metadata.diagonal() as f32 / 10.0;
+        let detail = DetailBox { min: metadata.min, max: middle, error_outside: error };
+        let found = with_bytes(&store, &bytes, || supplied.level_for(&detail));
+        assert_eq!(found.mesh, open(&path).level_for(&detail).unwrap().mesh);
+    }
 }

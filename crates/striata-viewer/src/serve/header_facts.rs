@@ -10,6 +10,7 @@ use std::io::{self, Read, Seek, SeekFrom};
 use serde::Deserialize;
 use striata::file::FileHead;
 use striata_io::Format;
+use striata_paged::{PAGED_MAGIC, PagedReader};
 use striata_stream::StreamInfo;
 
 /// Bytes read at first.
@@ -38,6 +39,7 @@ impl HeaderFacts {
         // The contents of compressed files are unknown without decompressing them.
         match Format::detect(&bytes, name) {
             _ if matches!(bytes.as_slice(), [0x1f, 0x8b, ..] | [0x28, 0xb5, 0x2f, 0xfd, ..]) => None,
+            Some(Format::Striata) if bytes.starts_with(PAGED_MAGIC) => of_paged(file),
             Some(Format::Striata) => {
                 of_container(&bytes).or_else(|| of_container(&read(file, LONG_HEAD_BYTES)))
             }
@@ -89,6 +91,25 @@ fn of_container(bytes: &[u8]) -> Option<HeaderFacts> {
         streams: head.stream().is_some(),
         triangle_count: Some(head.summary.triangle_count as u64),
         vertex_count: Some(head.summary.vertex_count as u64),
+        ..HeaderFacts::default()
+    })
+}
+
+fn of_paged(file: &mut (impl Read + Seek)) -> Option<HeaderFacts> {
+    let mut reader = PagedReader::new();
+    while reader.metadata().is_none() {
+        let want = reader.wants().into_iter().next()?;
+        let length = (want.range.end - want.range.start).min(MAX_DOCUMENT_BYTES);
+        file.seek(SeekFrom::Start(want.range.start)).ok()?;
+        let mut bytes = Vec::new();
+        file.take(length).read_to_end(&mut bytes).ok()?;
+        reader.supply(&want, &bytes).ok()?;
+    }
+    let metadata = reader.metadata()?;
+    Some(HeaderFacts {
+        streams: true,
+        triangle_count: Some(metadata.triangle_count),
+        vertex_count: Some(metadata.vertex_count),
         ..HeaderFacts::default()
     })
 }

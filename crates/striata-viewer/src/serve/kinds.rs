@@ -4,10 +4,11 @@ use std::path::Path;
 
 use striata_io::Format;
 
-/// Files that models refer to: buffers, materials, textures.
+/// Files that models refer to: buffers, materials, pages, textures.
 const COMPANIONS: &[(&str, &str)] = &[
     ("bin", "application/octet-stream"),
     ("mtl", "model/mtl"),
+    ("page", "application/octet-stream"),
     ("png", "image/png"),
     ("jpg", "image/jpeg"),
     ("jpeg", "image/jpeg"),
@@ -42,7 +43,7 @@ pub(super) fn is_companion(name: &str) -> bool {
 
 /// Whether a model may consist of several files.
 pub(super) fn has_companions(name: &str) -> bool {
-    matches!(Format::from_extension(name), Some(Format::Gltf | Format::Obj))
+    matches!(Format::from_extension(name), Some(Format::Gltf | Format::Obj | Format::Striata))
 }
 
 /// MIME type of a model or a file that models refer to.

@@ -1,5 +1,10 @@
 //! `thumbnail`: draws one small picture, within limits on memory and time that a server can rely on.
 
+use std::fs::File;
+use std::io::Read as _;
+use std::path::Path;
+
+use striata::levels::Levels as _;
 use striata::mesh::IndexedMesh;
 use striata::simplify::Target;
 use striata_io::SceneError;
@@ -12,6 +17,7 @@ use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, to_stdout};
 use striata_command::scene::SceneKind;
+use striata_paged::{HEAD_NAME, PAGED_MAGIC, PagedError, PagedFile};
 use striata_stream::StreamLevels;
 
 /// Width in pixels.
@@ -37,6 +43,9 @@ const MAX_CPU_SECS: u64 = 20;
 /// If the file cannot be read.
 pub fn run(args: &ThumbnailArgs, output: &Output) -> Result<(), Failure> {
     limit_this_process();
+    if is_paged(&args.input) {
+        return draw(coarse_level(&args.input)?, None);
+    }
     let input = Input::open(&args.input)?.within_folder();
     let (mesh, look) = match input.scene_kind() {
         Some(kind) => posed_scene(&input, kind, output)?,
@@ -50,7 +59,38 @@ pub fn run(args: &ThumbnailArgs, output: &Output) -> Result<(), Failure> {
             (mesh, look)
         }
     };
-    let picture = portrait(mesh, look.as_ref(), [WIDTH, HEIGHT]).to_png();
+    draw(mesh, look.as_ref())
+}
+
+/// Whether a file has pages, of which only a few are read.
+fn is_paged(path: &Path) -> bool {
+    let mut magic = [0; PAGED_MAGIC.len()];
+    File::open(path).is_ok_and(|mut file| file.read_exact(&mut magic).is_ok()) && magic == *PAGED_MAGIC
+}
+
+/// Reads a coarse level of a paged file.
+///
+/// # Errors
+/// If the head or a page is damaged.
+fn coarse_level(path: &Path) -> Result<IndexedMesh, Failure> {
+    let name = path.display();
+    let failed = |error: PagedError| Failure::user(format!("{name}: {error}"));
+    let mut file = PagedFile::open(&folder_of_pages(path).to_string_lossy()).map_err(failed)?;
+    let mesh = file.find(Target::Triangles(MAX_TRIANGLES)).map_err(failed)?.shape;
+    mesh.check()?;
+    Ok(mesh)
+}
+
+/// The folder, if the file is the head of one.
+fn folder_of_pages(path: &Path) -> &Path {
+    match (path.parent(), path.file_name().is_some_and(|name| name == HEAD_NAME)) {
+        (Some(folder), true) => folder,
+        _ => path,
+    }
+}
+
+fn draw(mesh: IndexedMesh, look: Option<&SceneLook>) -> Result<(), Failure> {
+    let picture = portrait(mesh, look, [WIDTH, HEIGHT]).to_png();
     to_stdout(&picture.map_err(|error| Failure::internal(format!("cannot encode the thumbnail: {error}")))?)
 }
 
