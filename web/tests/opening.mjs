@@ -2,7 +2,6 @@
 
 import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:http';
 import { join } from 'node:path';
 import { drop } from './files.mjs';
 import { drawnPixels, run, settled, slide, state, untilWhole } from './harness.mjs';
@@ -102,38 +101,31 @@ export default function opening(world) {
   pageTest(world, 'animations that arrive after the first picture play', {}, async (page) => {
     writeFileSync(at('late.glb'), withLongClip(readFileSync(at('plain-arm.glb'))));
     run('encode', '-q', at('late.glb'), '-o', at('late.stri'));
-    const bytes = readFileSync(at('late.stri'));
-    const server = createServer(async (_, response) => {
-      response.setHeader('Access-Control-Allow-Origin', '*');
+    await page.goto(world.url);
+    await page.evaluate(async () => {
+      const { striataViewer: viewer } = window;
+      const { onShown } = viewer;
+      viewer.onShown = () => {
+        window.earlyClips = viewer.model.animations.length;
+        onShown();
+      };
+      const bytes = new Uint8Array(await (await fetch('models/late.stri')).arrayBuffer());
       const step = Math.ceil(bytes.length / 40);
-      for (let from = 0; from < bytes.length; from += step) {
-        response.write(bytes.subarray(from, from + step));
-        await new Promise((resolve) => setTimeout(resolve, 30));
-      }
-      response.end();
-    }).listen(0, '127.0.0.1');
-    try {
-      await new Promise((resolve) => server.once('listening', resolve));
-      await page.goto(world.url);
-      await page.evaluate((url) => {
-        window.earlyClips = null;
-        const { striataViewer: viewer } = window;
-        const onShown = viewer.onShown;
-        viewer.onShown = () => {
-          window.earlyClips = viewer.model.animations.length;
-          onShown();
-        };
-        return fetch(url).then((response) => viewer.open({ data: response.body, name: 'late.stri', url: null }));
-      }, `http://127.0.0.1:${server.address().port}/late.stri`);
-      await opened(page, 'late.stri');
-      assert.equal(await page.evaluate(() => window.earlyClips), 0, 'the clips arrive after the model is shown');
-      await page.locator('#playback').waitFor();
-      assert.ok(await page.evaluate(() => window.striataViewer.playback.duration > 0));
-      assert.ok((await farthest(page)) < 1.001, 'the model is framed in all poses');
-    } finally {
-      server.close();
-      server.closeAllConnections();
-    }
+      let at = 0;
+      const data = new ReadableStream({
+        async pull(controller) {
+          await new Promise((resolve) => setTimeout(resolve, 30));
+          controller.enqueue(bytes.slice(at, (at += step)));
+          if (at >= bytes.length) controller.close();
+        },
+      });
+      await viewer.open({ data, name: 'late.stri', url: null });
+    });
+    await opened(page, 'late.stri');
+    assert.equal(await page.evaluate(() => window.earlyClips), 0, 'the clips arrive after the model is shown');
+    await page.locator('#playback').waitFor();
+    assert.ok(await page.evaluate(() => window.striataViewer.playback.duration > 0));
+    assert.ok((await farthest(page)) < 1.001, 'the model is framed in all poses');
   });
 
   pageTest(world, 'formats that only the command reads open, too: Draco, 3MF, VTK', {}, async (page) => {
