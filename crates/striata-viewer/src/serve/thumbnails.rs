@@ -104,7 +104,7 @@ impl Thumbnails {
     async fn draw(&self, path: &Path) -> Option<Thumbnail> {
         let (folder, name) = (path.parent()?, path.file_name()?);
         let mut command = Command::new(&self.program);
-        // A relative name: messages must not tell where the folder is.
+        // The name is relative so that messages do not contain the path of the folder.
         command.arg("thumbnail").arg(Path::new(".").join(name)).current_dir(folder);
         command.stdin(Stdio::null()).kill_on_drop(true);
         let output = timeout(DRAWING_TIMEOUT, command.output()).await.ok()?.ok()?;
