@@ -11,8 +11,8 @@ export default defineConfig({
   base: './',
   publicDir: false,
   worker: { format: 'iife' },
-  // The page builds levels with the module that also saves models.
-  resolve: { alias: [{ find: /^\.{1,2}\/wasm\/striata-builder\.js$/, replacement: fileURLToPath(new URL('viewer/wasm/striata-encoder.js', import.meta.url)) }] },
+  // The page builds levels and reads files with the module that also saves models.
+  resolve: { alias: [{ find: /^\.{1,2}\/wasm\/striata-(builder|files)\.js$/, replacement: fileURLToPath(new URL('viewer/wasm/striata-encoder.js', import.meta.url)) }] },
   server: { fs: { allow: ['..'] } },
   build: {
     // The check builds into another folder than the committed one.

@@ -7,8 +7,8 @@ import { StreamPlace } from './wasm/striata.js';
 
 /** The bytes of a stream, or of a whole file. */
 export interface Content {
-  /** Whether it is the stream of a mesh or a scene, a paged file, a glTF file, or another file. */
-  kind: 'stream' | 'scene' | 'paged' | 'gltf' | 'file';
+  /** Whether it is the stream of a mesh or a scene, a paged file, a `.striata` file without a stream, a glTF file, or another file. */
+  kind: 'stream' | 'scene' | 'paged' | 'stored' | 'gltf' | 'file';
   /** Whether the stream is part of a `.striata` file. */
   isInContainer: boolean;
   chunks: ByteChunks;
@@ -37,7 +37,7 @@ export async function contentOf(opened: OpenedSource): Promise<Content> {
   if (isGlb(head.bytes) || /\.gltf$/i.test(opened.name)) return whole('gltf');
   if (isContainer(head.bytes)) {
     const streamRange = await findStream(head);
-    if (streamRange) return contentOfStream(opened, head, streamRange);
+    return streamRange ? contentOfStream(opened, head, streamRange) : whole('stored');
   }
   return whole('file');
 }

@@ -5,10 +5,10 @@
  * reported in intervals that grow with the time a report takes.
  */
 
-import { Failure, Model, StreamPlace, View } from './wasm/striata.js';
+import { Model, StreamPlace, View } from './wasm/striata.js';
 import { buildModel, startBuilder } from './build.ts';
 import { isContainer, isStream } from './magic.ts';
-import { asPlain, asStriataError, StriataError, type PlainError } from './error.ts';
+import { asPlain, asStriataError, isFailure, StriataError, type PlainError } from './error.ts';
 import type { LevelRequest, NewVertices, Order, Report, State, Update } from './protocol.ts';
 import type { MeshArrays } from './scene/protocol.ts';
 import type { Coloring, Kind, Phase } from './types.ts';
@@ -203,6 +203,12 @@ export class Engine {
     }
     this.#end = undefined;
     this.#report(failure ? { type: 'failed', error: failure } : { type: 'finished' });
+    if (!failure) this.#examine();
+  }
+
+  /** Reports whether the backs of triangles can be seen. */
+  #examine(): void {
+    if (this.#model.is_solid()) this.#report({ type: 'solid' });
   }
 
   #finishDecoding(): void {
@@ -234,6 +240,7 @@ export class Engine {
       this.#phase = 'done';
       this.#postUpdate(0);
       this.#report({ type: 'finished' });
+      this.#examine();
     });
   }
 
@@ -300,7 +307,7 @@ export class Engine {
     try {
       return model.show_view(view);
     } catch (thrown) {
-      if (!(thrown instanceof Failure)) throw thrown;
+      if (!isFailure(thrown)) throw thrown;
       thrown.free();
       return true;
     } finally {

@@ -2,6 +2,7 @@
 
 import { Failure } from './wasm/striata.js';
 import { Failure as BuilderFailure } from './wasm/striata-builder.js';
+import { Failure as FilesFailure } from './wasm/striata-files.js';
 import type { ErrorCode } from './types.ts';
 
 /** The error that `load` and `finished` reject with. */
@@ -26,10 +27,15 @@ export interface PlainError {
   hint: string | undefined;
 }
 
+/** Whether a wasm module has thrown this; it is released with `free()`. */
+export function isFailure(thrown: unknown): thrown is Failure {
+  return thrown instanceof Failure || thrown instanceof BuilderFailure || thrown instanceof FilesFailure;
+}
+
 /** Converts anything that was thrown to a `StriataError`. */
 export function asStriataError(thrown: unknown): StriataError {
   if (thrown instanceof StriataError) return thrown;
-  if (thrown instanceof Failure || thrown instanceof BuilderFailure) {
+  if (isFailure(thrown)) {
     const error = new StriataError(thrown.code as ErrorCode, thrown.message, thrown.hint);
     thrown.free();
     return error;

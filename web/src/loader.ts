@@ -7,12 +7,12 @@ import { aborted, asStriataError } from './error.ts';
 import type { StriataMesh } from './mesh.ts';
 import { MeshTask } from './mesh-task.ts';
 import { placeOf } from './paged/ranges.ts';
-import { openPlain, wholeFile } from './plain/open.ts';
+import { openWhole, wholeFile } from './plain/open.ts';
 import { sceneOfMesh } from './scene/mesh-scene.ts';
 import { SceneTask } from './scene/scene-task.ts';
 import type { StriataScene } from './scene/scene.ts';
 import type { LoaderOptions, LoadOptions, OpenOptions, Source } from './types.ts';
-import { start, wasmModule } from './wasm.ts';
+import { filesModule, start, wasmModule } from './wasm.ts';
 
 /** Creates a loader, with or without `new`. */
 export interface StriataLoaderConstructor {
@@ -113,12 +113,14 @@ class SceneLoader extends ThreeLoader<StriataScene> {
       return sceneOfMesh(await new MeshTask(loader, options).runPaged(module, place, download), loader);
     }
     if (content.kind === 'scene') return new SceneTask({ ...context, kind: 'stream' }, content.byteCount).run(content.chunks);
-    if (content.kind === 'gltf' || content.kind === 'file') {
+    if (content.kind === 'gltf' || content.kind === 'file' || content.kind === 'stored') {
+      // The module is needed as soon as the file has arrived; opening the file reports what fails.
+      if (content.kind === 'stored') filesModule(this.#options).catch(() => undefined);
       const total = opened.length;
       const file = await wholeFile(content, opened.name, download.signal, (received) => options.onProgress?.({
         bytesReceived: received, bytesTotal: total, triangleCount: 0, vertexCount: 0, complete: false, phase: 'download',
       }));
-      if (!file.stream) return openPlain(file, { ...context, kind: 'mesh' });
+      if (!file.stream) return openWhole(file, { ...context, kind: 'mesh' });
       if (file.stream.kind === 'scene') return new SceneTask({ ...context, kind: 'stream' }, file.stream.byteCount).run(file.stream.chunks);
       return sceneOfMesh(await new MeshTask(loader, options).runContent(module, file.stream, download), loader);
     }

@@ -11,7 +11,7 @@ import { mergedArrays } from './plain/arrays.ts';
 import { readFile, wholeFile } from './plain/open.ts';
 import type { Order, Report } from './protocol.ts';
 import type { LoaderOptions, LoadOptions, Source } from './types.ts';
-import { builderModule, start, wasmModule } from './wasm.ts';
+import { builderModule, filesModule, start, wasmModule } from './wasm.ts';
 
 /** Loads one model. */
 export class MeshTask {
@@ -102,12 +102,12 @@ export class MeshTask {
   }
 
   async #openPaged(module: WebAssembly.Module, place: PagedPlace): Promise<void> {
-    const builder = await builderModule(this.#loader);
+    const files = await filesModule(this.#loader);
     if (this.#stop.signal.aborted) return;
     [this.#received, this.#total] = [0, null];
     const engine = connectPagedEngine(module, this.#loader.worker ?? true, (report) => this.#onMessage(report));
     this.#engine = engine;
-    engine.send({ type: 'open', place, name: nameOf(place), module: builder });
+    engine.send({ type: 'open', place, name: nameOf(place), module: files });
   }
 
   async #receive(module: WebAssembly.Module, content: Content): Promise<void> {
@@ -157,6 +157,9 @@ export class MeshTask {
         break;
       case 'failed':
         this.#fail(fromPlain(report.error));
+        break;
+      case 'solid':
+        this.#mesh?.becomeSolid();
         break;
       case 'finished':
         this.#download.abort(aborted());

@@ -29,6 +29,8 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
   readonly isStriataMesh = true;
   readonly finished: Promise<void>;
   state: State;
+  /** Whether the backs of the triangles cannot be seen; known after everything has loaded. */
+  isSolid = false;
   readonly #loader: LoaderHandle;
   readonly #surface: GrowingGeometry;
   /** The default material, which this mesh disposes of itself; undefined if the caller passed one. */
@@ -248,6 +250,12 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
       this.#pendingIndices.push({ request, resolve });
       this.#send();
     });
+  }
+
+  /** Notes that the backs of the triangles cannot be seen. */
+  becomeSolid(): void {
+    this.isSolid = true;
+    this.dispatchEvent({ type: 'change' });
   }
 
   /** Ends loading; called by the loader. */

@@ -85,7 +85,9 @@ export type Report =
   | { type: 'building'; share: number }
   /** Loading has failed. If no update was sent before, there is no mesh either. */
   | { type: 'failed'; error: PlainError }
-  | { type: 'finished' };
+  | { type: 'finished' }
+  /** The backs of the triangles cannot be seen: they enclose bodies and face outward. */
+  | { type: 'solid' };
 
 /** Buffers of a report that can be transferred instead of copied. */
 export function transferable(report: Report): ArrayBuffer[] {

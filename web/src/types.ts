@@ -45,6 +45,9 @@ export interface LoadOptions {
   name?: string;
 }
 
+/** Where a wasm module is: a URL, bytes, the compiled module, or what gives it. */
+export type WasmSource = string | URL | BufferSource | WebAssembly.Module | (() => Promise<WebAssembly.Module>);
+
 /** Options of a loader. */
 export interface LoaderOptions {
   /** Whether to decode and build in a worker. Default: true. */
@@ -53,9 +56,11 @@ export interface LoaderOptions {
    * URL, bytes or compiled module of striata.wasm. Default: the contents of `<script type="text/plain" id="striata-wasm">` in base64,
    * compressed by gzip or not, if present, else the file next to this script.
    */
-  wasm?: string | URL | BufferSource | WebAssembly.Module;
-  /** Location of striata-builder.wasm, which is fetched only for files without a stream. Default: next to striata.wasm. */
-  builder?: string | URL | BufferSource | WebAssembly.Module;
+  wasm?: WasmSource;
+  /** striata-builder.wasm, which is fetched only for plain files. Default: next to striata.wasm. */
+  builder?: WasmSource;
+  /** striata-files.wasm, which is fetched only for `.striata` files without a stream. Default: next to striata.wasm. */
+  files?: WasmSource;
   /** Screen error of every scene, in pixels, until it is set otherwise; `null` shows everything that has loaded. Default: 1. */
   pixelError?: number | null;
   /** Called with the `GLTFLoader` that makes the materials of a scene: to set a `KTX2Loader`, or to register plugins. */

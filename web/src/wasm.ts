@@ -1,16 +1,17 @@
 /** Locates, compiles and initializes the wasm module. */
 
 import { StriataError } from './error.ts';
-import type { LoaderOptions } from './types.ts';
+import type { LoaderOptions, WasmSource } from './types.ts';
 import { initSync } from './wasm/striata.js';
-
-type WasmSource = NonNullable<LoaderOptions['wasm']>;
 
 /** Compiled modules by source, so that each is compiled once. */
 const modules = new Map<unknown, Promise<WebAssembly.Module>>();
 let isStarted = false;
 
-type ModuleName = 'striata' | 'striata-builder';
+/** Options of loaders with the locations of the modules. */
+const OPTIONS = { striata: 'wasm', 'striata-builder': 'builder', 'striata-files': 'files' } as const;
+
+type ModuleName = 'striata' | 'striata-builder' | 'striata-files';
 
 /** Returns the compiled module that decodes streams: from the options, embedded in the page, or next to this script. */
 export function wasmModule(source: WasmSource | undefined): Promise<WebAssembly.Module> {
@@ -19,11 +20,19 @@ export function wasmModule(source: WasmSource | undefined): Promise<WebAssembly.
 
 /** Returns the compiled module that builds levels of other files. */
 export function builderModule({ wasm, builder }: Pick<LoaderOptions, 'wasm' | 'builder'> = {}): Promise<WebAssembly.Module> {
-  if (builder === undefined && (typeof wasm === 'string' || wasm instanceof URL)) {
-    const base = typeof document === 'undefined' ? undefined : document.baseURI;
-    return moduleOf('striata-builder', new URL('striata-builder.wasm', new URL(wasm, base)));
-  }
-  return moduleOf('striata-builder', builder);
+  return moduleBeside(wasm, 'striata-builder', builder);
+}
+
+/** Returns the compiled module that reads `.striata` files. */
+export function filesModule({ wasm, files }: Pick<LoaderOptions, 'wasm' | 'files'> = {}): Promise<WebAssembly.Module> {
+  return moduleBeside(wasm, 'striata-files', files);
+}
+
+/** A module that is next to the one at a URL, unless it has a source of its own. */
+function moduleBeside(wasm: WasmSource | undefined, name: ModuleName, source: WasmSource | undefined): Promise<WebAssembly.Module> {
+  if (source !== undefined || (typeof wasm !== 'string' && !(wasm instanceof URL))) return moduleOf(name, source);
+  const base = typeof document === 'undefined' ? undefined : document.baseURI;
+  return moduleOf(name, new URL(`${name}.wasm`, new URL(wasm, base)));
 }
 
 function moduleOf(name: ModuleName, source: WasmSource | undefined): Promise<WebAssembly.Module> {
@@ -46,6 +55,7 @@ export function start(module: WebAssembly.Module): void {
 
 async function compile(name: ModuleName, source: WasmSource | undefined): Promise<WebAssembly.Module> {
   if (source instanceof WebAssembly.Module) return source;
+  if (typeof source === 'function') return source();
   if (source !== undefined && typeof source !== 'string' && !(source instanceof URL)) {
     return WebAssembly.compile(source);
   }
@@ -57,6 +67,7 @@ async function compile(name: ModuleName, source: WasmSource | undefined): Promis
 /** Bundlers recognize this form with a literal name, and copy the file. */
 function nextToScript(name: ModuleName): URL {
   if (name === 'striata') return new URL(/* @vite-ignore */ 'striata.wasm', import.meta.url);
+  if (name === 'striata-files') return new URL(/* @vite-ignore */ 'striata-files.wasm', import.meta.url);
   return new URL(/* @vite-ignore */ 'striata-builder.wasm', import.meta.url);
 }
 
@@ -68,7 +79,7 @@ async function fetchModule(name: ModuleName, url: string | URL): Promise<ArrayBu
     const bytes = await readFile(url);
     return bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength) as ArrayBuffer;
   }
-  const hint = `the file is next to striata.js in the package; if you moved it, set the option \`${name === 'striata' ? 'wasm' : 'builder'}\``;
+  const hint = `the file is next to striata.js in the package; if you moved it, set the option \`${OPTIONS[name]}\``;
   const response = await fetch(url).catch((error: unknown) => {
     throw new StriataError('network', `cannot fetch ${name}.wasm: ${String(error)}`);
   });

@@ -9,7 +9,7 @@ import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import { front } from './front.mjs';
 
-const workspace = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
+export const workspace = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
 const striata = process.env.STRIATA_BIN ?? join(workspace, 'target/debug/striata');
 
 /** Timeout that allows for machines under heavy load. */

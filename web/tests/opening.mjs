@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { drop } from './files.mjs';
-import { drawnPixels, run, settled, slide, state, untilWhole } from './harness.mjs';
+import { drawnPixels, run, settled, slide, state, untilWhole, workspace } from './harness.mjs';
 import { openModel, pageTest } from './pages.mjs';
 
 /** Largest coordinate of any vertex of the model in the picture; 1 is at its edge, or at the near or far plane. */
@@ -145,6 +145,75 @@ export default function opening(world) {
     }
     const { smooth, sharp } = await normals(page);
     assert.ok(smooth > 9 * sharp, `spot is smooth: ${smooth} and ${sharp}`);
+  });
+
+  pageTest(world, 'levels of .striata files are shown as they are stored, whatever the models', {}, async (page) => {
+    const spot = join(workspace, 'assets/spot.obj.zst');
+    run('build', '-q', spot, '-o', at('lists.striata'));
+    run('build', '-q', spot, '-o', at('patterns.striata'), '--models', 'patterns');
+    run('build', '-q', 'shape:torus', '-o', at('removed.striata'), '--order', 'hausdorff', '--models', 'fans');
+    await page.goto(world.url);
+    const names = ['lists.striata', 'patterns.striata', 'removed.striata', 'arm.striata'];
+    for (const name of names) {
+      await drop(page, name, readFileSync(at(name)));
+      await opened(page, name);
+      const whole = await state(page);
+      assert.ok(whole.complete && whole.triangleCount === whole.fullTriangleCount, name);
+      assert.equal(await page.evaluate(() => window.striataViewer.model.timings.buildMs), 0, `${name} is not built again`);
+      assert.match(await page.locator('#subtitle').innerText(), /\.striata file/);
+      assert.ok((await drawnPixels(page)) > 10_000, `${name} is visible`);
+      const flat = await page.evaluate(() => {
+        const found = [];
+        window.striataViewer.model.traverse(({ material }) => material && found.push(material.flatShading));
+        return found;
+      });
+      assert.ok(flat.every((isFlat) => !isFlat), `${name} has smooth normals`);
+      await slide(page, 'detail', 500);
+      await settled(page);
+      const coarse = (await state(page)).triangleCount;
+      assert.ok(coarse > 0 && coarse < whole.triangleCount, name);
+    }
+    assert.ok(await page.evaluate(() => window.striataViewer.playback.duration > 0), 'the arm moves');
+    const views = await page.evaluate(async () => {
+      const { model } = window.striataViewer;
+      const counts = [];
+      for (const pixels of [30, 0.5]) {
+        model.pixelError = pixels;
+        await new Promise((resolve) => setTimeout(resolve, 500));
+        counts.push(model.triangleCount);
+      }
+      return counts;
+    });
+    assert.ok(views[0] < views[1], `the view refines a stored scene: ${views}`);
+    await drop(page, 'cut.striata', readFileSync(at('arm.striata')).subarray(0, 20_000));
+    await page.locator('.notice strong', { hasText: 'Cannot open cut.striata' }).waitFor();
+    assert.match(await page.locator('.notice').first().innerText(), /bytes/);
+  });
+
+  pageTest(world, 'backs of triangles are hidden only if they cannot be seen', {}, async (page) => {
+    const sides = () => page.evaluate(() => {
+      const found = new Set();
+      window.striataViewer.model.traverse(({ material }) => material && found.add(material.side));
+      return [...found];
+    });
+    const lines = readFileSync(at('torus.obj')).toString().split('\n');
+    const faces = lines.filter((line) => line.startsWith('f '));
+    const inverted = faces.map((face) => `f ${face.slice(2).split(' ').reverse().join(' ')}`);
+    const vertices = lines.filter((line) => line.startsWith('v '));
+    await page.goto(world.url);
+    for (const [name, shown, isSolid] of [['solid.obj', faces, true], ['open.obj', faces.slice(9), false], ['inverted.obj', inverted, false]]) {
+      await drop(page, name, Buffer.from([...vertices, ...shown].join('\n')));
+      await opened(page, name);
+      await page.waitForFunction((isSolid) => window.striataViewer.model.isSolid === isSolid, isSolid);
+      const [front, both] = [0, 2];
+      assert.deepEqual(await sides(), [isSolid ? front : both], name);
+    }
+    run('build', '-q', at('torus.obj'), '-o', at('solid.striata'));
+    for (const name of ['nefertiti.stri', 'icosphere.stri', 'solid.striata']) {
+      await drop(page, name, readFileSync(at(name)));
+      await opened(page, name);
+      await page.waitForFunction(() => window.striataViewer.model.isSolid);
+    }
   });
 
   pageTest(world, 'an OBJ without normals is smooth up to creases', {}, async (page) => {

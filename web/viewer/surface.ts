@@ -1,6 +1,6 @@
 /** Materials of a model: whether it has any of its own, and how they are changed for the chosen appearance. */
 
-import { type Color, type Material, Mesh, MeshStandardMaterial, type Object3D, type Texture } from 'three';
+import { type Color, FrontSide, type Material, Mesh, MeshStandardMaterial, type Object3D, type Texture } from 'three';
 
 /** Color of models without materials of their own. */
 const CLAY = 0xcfc4b4;
@@ -40,6 +40,14 @@ export function paintClay(materials: Iterable<SurfaceMaterial>, isClay: boolean)
     const own = (material.userData['ownSurface'] ??= { metalness: material.metalness, roughness: material.roughness }) as typeof CLAY_SURFACE;
     Object.assign(material, isClay ? CLAY_SURFACE : own);
   }
+}
+
+/**
+ * Hides the backs of triangles that cannot be seen. Pixels of backs behind sharp ridges would appear along silhouettes, lit from the
+ * other side.
+ */
+export function hideBacks(materials: Iterable<SurfaceMaterial>): void {
+  for (const material of materials) material.side = FrontSide;
 }
 
 /** Turns flat shading on or off. */

@@ -24,7 +24,7 @@ import { Playback } from './playback.ts';
 import { Saving } from './saving.ts';
 import { isCrossOrigin, type ModelSource } from './sources.ts';
 import type { Stage } from './stage.ts';
-import { isBare, materialsOf, paintClay, shadeFlat } from './surface.ts';
+import { hideBacks, isBare, materialsOf, paintClay, shadeFlat } from './surface.ts';
 import { themeColor } from './theme.ts';
 import { wasmUrls } from './wasm-urls.ts';
 
@@ -108,8 +108,8 @@ export class Viewer {
   }
 
   /**
-   * Loads a model. Files that the page's own loaders cannot read are read by the reader of the command, which also says best what is
-   * wrong with them: a `.striata` file without a stream becomes a stream, every other file a plain GLB file.
+   * Loads a model. Files that the page's own loaders cannot read are read by the reader of the command as plain GLB files, which also
+   * says best what is wrong with them.
    */
   async #load(source: ModelSource, abort: AbortController): Promise<StriataScene> {
     const load = (data: ModelSource['data'] | Blob, name: string, isConverted = false): Promise<StriataScene> => this.#loader.open(data, {
@@ -123,9 +123,9 @@ export class Viewer {
     } catch (error) {
       if (!mayBeReadOtherwise(error, source.name)) throw error;
     }
-    const saved: Saved = isContainer(source.name) ? { format: 'stri', triangles: 0 } : { format: 'level', triangles: ALL_TRIANGLES };
+    const saved: Saved = { format: 'level', triangles: ALL_TRIANGLES };
     const converted = await encodeModel(source, saved, abort.signal, (_, share) => this.#onProgress(abort, { ...NO_PROGRESS, phase: 'build', share }, source));
-    return load(converted, isContainer(source.name) ? source.name : `${source.name}.glb`, true);
+    return load(converted, `${source.name}.glb`, true);
   }
 
   /** Applies the chosen appearance to the model. */
@@ -266,6 +266,7 @@ export class Viewer {
     const materials = materialsOf(model);
     const bare = isBare(materials);
     paintClay(materials, bare);
+    if (bare && model.isSolid) hideBacks(materials);
     if (!bare) lighting.use('studio');
   }
 
@@ -299,12 +300,10 @@ export class Viewer {
 /** More triangles than any file has. */
 const ALL_TRIANGLES = 0xffff_ffff;
 
-const isContainer = (name: string): boolean => /\.striata(\.|$)/i.test(name);
-
 /** Whether the reader of the command may read a file, or explain better why it cannot be read. */
 function mayBeReadOtherwise(error: unknown, name: string): boolean {
-  if (!(error instanceof StriataError) || /\.stri(\.|$)/i.test(name)) return false;
-  return error.code === 'unsupported' || (!isContainer(name) && (error.code === 'format' || error.code === 'corrupt'));
+  if (!(error instanceof StriataError) || /\.stri(ata)?(\.|$)/i.test(name)) return false;
+  return error.code === 'unsupported' || error.code === 'format' || error.code === 'corrupt';
 }
 
 const FORMATS = 'The viewer opens .stri, .striata, .ply, .obj, .stl, .off, .gltf, .glb, .3mf, .vtk, .vtp and .vtu, optionally compressed as .gz or .zst.';

@@ -45,6 +45,7 @@ pub use lod_chain::{LodChainOptions, lod_chain};
 pub use lod_scene::{FittedMeshes, Fitting, LodScene};
 pub use pose::{Pose, Poser};
 pub use scene_view::{SceneView, ShownIndices};
+pub use single_mesh::scene_around;
 
 /// The README's example, compiled with the documentation tests.
 #[cfg(doctest)]

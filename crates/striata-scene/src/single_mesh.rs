@@ -1,4 +1,4 @@
-//! Scene of a single mesh that has its levels already.
+//! Scene of a single mesh.
 
 use serde_json::{Value, json};
 use striata::Lod;
@@ -13,11 +13,19 @@ impl LodScene {
     /// # Errors
     /// [`SceneError`] if the JSON of the mesh's materials is broken.
     pub fn from_lod(lod: Lod) -> Result<Self, SceneError> {
-        let mesh = lod.mesh();
-        let mut parts = Scene::from_mesh(sample_of(mesh))?.into_parts();
-        if parts.meshes.is_empty() {
-            return Ok(Self::of_parts(Scene::from_parts(parts)?, Vec::new()));
-        }
+        let scene = scene_around(lod.mesh())?;
+        let lods = scene.meshes().iter().map(|_| Some(lod.clone())).collect();
+        Ok(Self::of_parts(scene, lods))
+    }
+}
+
+/// Returns the scene without triangles whose only node shows a mesh; each group of the mesh becomes a primitive.
+///
+/// # Errors
+/// [`SceneError`] if the JSON of the mesh's materials is broken.
+pub fn scene_around(mesh: &IndexedMesh) -> Result<Scene, SceneError> {
+    let mut parts = Scene::from_mesh(sample_of(mesh))?.into_parts();
+    if !parts.meshes.is_empty() {
         // The sample has one primitive; all groups have its attributes.
         let primitive = parts.document["meshes"][0]["primitives"][0].clone();
         let of_group = |material: Option<u32>| {
@@ -30,8 +38,8 @@ impl LodScene {
         let primitives: Vec<Value> = mesh.groups_or_whole().iter().map(|g| of_group(g.material)).collect();
         parts.document["meshes"][0]["primitives"] = Value::Array(primitives);
         parts.meshes = vec![None];
-        Ok(Self::of_parts(Scene::from_parts(parts)?, vec![Some(lod)]))
     }
+    Scene::from_parts(parts)
 }
 
 /// Returns the first triangle of a mesh, with all attributes and the appearance of the whole mesh.

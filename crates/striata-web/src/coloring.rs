@@ -60,7 +60,6 @@ pub(crate) fn by_fans(shown: &mut ShownLevel, fans: &FanIndices) -> Vec<u32> {
 }
 
 /// Returns the pivot of each triangle: the vertex that is removed first, which has the highest index.
-#[cfg(any(feature = "stream", feature = "paged"))]
 pub(crate) fn by_pivots(shown: &ShownLevel) -> Vec<u32> {
     shown.triangles.iter().map(|corners| corners.iter().copied().max().unwrap_or(0)).collect()
 }

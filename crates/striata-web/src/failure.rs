@@ -3,8 +3,10 @@
 use striata::file::DecodeError;
 #[cfg(feature = "build")]
 use striata::simplify::SimplifyError;
-#[cfg(feature = "files")]
+#[cfg(feature = "encode")]
 use striata_io::ReadError;
+#[cfg(feature = "files")]
+use striata_scene::file::SceneDecodeError;
 #[cfg(feature = "stream")]
 use striata_scene::stream::SceneStreamError;
 use striata_stream::StreamDefect;
@@ -112,6 +114,16 @@ impl From<SceneStreamError> for Failure {
 }
 
 #[cfg(feature = "files")]
+impl From<SceneDecodeError> for Failure {
+    fn from(error: SceneDecodeError) -> Self {
+        match error {
+            SceneDecodeError::Container(error) => error.into(),
+            error => Self::corrupt(error),
+        }
+    }
+}
+
+#[cfg(feature = "encode")]
 impl From<ReadError> for Failure {
     fn from(error: ReadError) -> Self {
         match &error {

@@ -95,7 +95,7 @@ impl MeshBuilder {
         }
         let options = SequenceOptions::default();
         let built = build_sequence_with_progress(&self.mesh, &options, &mut progress::reporter(sink))?;
-        Ok(BuiltArrays::new(built.refinable))
+        BuiltArrays::new(built.refinable)
     }
 }
 

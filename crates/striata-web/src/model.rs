@@ -4,24 +4,27 @@ use std::fmt;
 
 use striata::Target;
 #[cfg(feature = "files")]
-use striata_io::Format;
+use striata::mesh::{FragmentedMesh, Steps};
+use striata::mesh::{IndexedMesh, PositionEdges};
+#[cfg(feature = "files")]
+use striata::model::Fans;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 #[cfg(feature = "files")]
-use crate::built_model::BuiltModel;
+use crate::fan_model::FanModel;
 use crate::leveled::Leveled;
-#[cfg(feature = "stream")]
 use crate::prefix_model::PrefixModel;
-#[cfg(feature = "files")]
-use crate::progress::{self, Sink};
 use crate::shown_level::ShownLevel;
+#[cfg(feature = "files")]
+use crate::step_order::StepOrder;
 #[cfg(feature = "stream")]
 use crate::streamed_model::StreamedModel;
 use crate::vertices::Vertices;
 use crate::view::View;
 use crate::{Failure, coloring};
-#[cfg(feature = "files")]
-use crate::{limits, stored_model};
+
+/// Most triangles of a mesh that is examined for whether the backs of its triangles can be seen.
+const MAX_EXAMINED_TRIANGLES: usize = 2_000_000;
 
 /// Kind of input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,6 +33,7 @@ pub(crate) enum InputKind {
     Stream,
     #[cfg(feature = "files")]
     Striata,
+    #[cfg(feature = "stream")]
     Mesh,
 }
 
@@ -40,13 +44,14 @@ impl InputKind {
             Self::Stream => "stream",
             #[cfg(feature = "files")]
             Self::Striata => "striata",
+            #[cfg(feature = "stream")]
             Self::Mesh => "mesh",
         }
     }
 }
 
-/// A model. [Push](Model::push) the bytes of a stream and [reveal](Model::reveal) them; other files are
-/// read as a whole.
+/// A model. [Push](Model::push) the bytes of a stream and [reveal](Model::reveal) them; models of files are
+/// complete.
 ///
 /// The `show_` methods select a level; `indices`, `group_counts` and the `shown_` getters describe the
 /// level selected last.
@@ -65,19 +70,6 @@ impl Model {
     #[expect(clippy::new_without_default, reason = "JavaScript has constructors but no defaults")]
     pub fn new() -> Self {
         Self::of_stream(StreamedModel::default())
-    }
-}
-
-#[cfg(feature = "files")]
-#[wasm_bindgen]
-impl Model {
-    /// Reads a whole uncompressed file and builds its model. Plain meshes are simplified, which takes a
-    /// second or two per 100,000 triangles. Shows the full mesh.
-    ///
-    /// # Errors
-    /// If the bytes are damaged, of an unknown format, or the model is too large for a page.
-    pub fn from_file(bytes: Vec<u8>, name: &str, sink: &Sink) -> Result<Self, Failure> {
-        Self::read(bytes, name, &mut progress::reporter(sink))
     }
 }
 
@@ -248,6 +240,17 @@ impl Model {
         self.levels.color_fans(&mut self.shown)
     }
 
+    /// Whether the triangles of the full mesh enclose bodies and face outward, so that their backs cannot be seen.
+    /// Takes about half a second per million triangles; larger meshes than two million are not examined.
+    pub fn is_solid(&mut self) -> bool {
+        if self.triangle_count() > MAX_EXAMINED_TRIANGLES {
+            return false;
+        }
+        let positions = self.levels.vertices(0).take_positions().as_chunks().0.to_vec();
+        let mesh = IndexedMesh::new(positions, self.levels.show(Target::Detail(1.0)).triangles);
+        PositionEdges::of(&mesh).is_ok_and(|edges| edges.is_solid())
+    }
+
     /// Corners of the shown triangles, group by group.
     pub fn indices(&self) -> Vec<u32> {
         self.shown.triangles.as_flattened().to_vec()
@@ -295,56 +298,21 @@ impl Model {
 
 #[cfg(feature = "files")]
 impl Model {
-    /// Reads a whole file like [`from_file`](Self::from_file), with a Rust callback.
-    ///
-    /// # Errors
-    /// Fails like `from_file`.
-    pub fn read(bytes: Vec<u8>, name: &str, progress: &mut striata::ProgressFn<'_>) -> Result<Self, Failure> {
-        limits::check_file(bytes.len())?;
-        let (levels, kind) = match Format::detect(&bytes, name) {
-            #[cfg(feature = "stream")]
-            Some(Format::Stream) => (whole_stream(&bytes)?, InputKind::Stream),
-            Some(Format::Striata) => (striata_file(&bytes)?, InputKind::Striata),
-            _ => (boxed(BuiltModel::from_mesh_file(bytes, name, progress)?), InputKind::Mesh),
+    /// A model that was read from a file. Shows the base mesh.
+    pub(crate) fn of_steps(steps: Steps, fans: impl FnOnce(&FragmentedMesh) -> Fans) -> Self {
+        let of_fans = |fragmented| {
+            let fans = fans(&fragmented);
+            Box::new(FanModel::new(fragmented, fans)) as Box<dyn Leveled>
         };
-        let mut model = Self { levels, kind, shown: ShownLevel::default() };
-        model.show_detail(1.0);
-        Ok(model)
+        let levels = match steps {
+            Steps::Collapses(refinable) => match StepOrder::of(&refinable) {
+                Some(order) => Box::new(PrefixModel::of_refinable(refinable, order)),
+                None => of_fans(FragmentedMesh::from_collapses(&refinable)),
+            },
+            Steps::Fragments(fragmented) => of_fans(fragmented),
+        };
+        let mut model = Self { levels, kind: InputKind::Striata, shown: ShownLevel::default() };
+        model.show_detail(0.0);
+        model
     }
-}
-
-#[cfg(feature = "files")]
-fn boxed(levels: impl Leveled + 'static) -> Box<dyn Leveled> {
-    Box::new(levels)
-}
-
-/// Reads a `.striata` file: its stream if there is one, else its models.
-#[cfg(all(feature = "files", feature = "stream"))]
-fn striata_file(bytes: &[u8]) -> Result<Box<dyn Leveled>, Failure> {
-    let file = striata_stream::open_truncated(bytes)?;
-    limits::check_counts(file.summary().vertex_count, file.summary().triangle_count)?;
-    match file.stream() {
-        Some(stream) => whole_stream(stream?),
-        None => Ok(boxed(stored_model::read(&file)?)),
-    }
-}
-
-/// Reads a `.striata` file without a stream; those with one are read by the module that decodes streams.
-#[cfg(all(feature = "files", not(feature = "stream")))]
-fn striata_file(bytes: &[u8]) -> Result<Box<dyn Leveled>, Failure> {
-    let file = striata::file::StriataFile::parse(bytes)?;
-    limits::check_counts(file.summary().vertex_count, file.summary().triangle_count)?;
-    Ok(boxed(stored_model::read(&file)?))
-}
-
-/// Decodes a complete stream.
-#[cfg(all(feature = "files", feature = "stream"))]
-fn whole_stream(bytes: &[u8]) -> Result<Box<dyn Leveled>, Failure> {
-    let mut streaming = StreamedModel::default();
-    streaming.push(bytes)?;
-    if !streaming.is_complete() {
-        return Err(Failure::corrupt("the stream is incomplete"));
-    }
-    streaming.reveal();
-    Ok(boxed(streaming))
 }

@@ -2,11 +2,14 @@
 
 use striata::Target;
 use striata::mesh::{AttributeLayer, Bounds, ColorSpace, steps_for_detail};
+#[cfg(feature = "files")]
+use striata::mesh::{IndexedMesh, RefinableMesh};
 use striata_stream::{GrowingHierarchy, HierarchyCut, PrefixMesh};
 
 use crate::leveled::Leveled;
-use crate::shown_level::ShownLevel;
-use crate::streamed_model::by_group;
+use crate::shown_level::{ShownLevel, by_group};
+#[cfg(feature = "files")]
+use crate::step_order::StepOrder;
 use crate::vertices::Vertices;
 use crate::view::View;
 use crate::{Failure, coloring, normals};
@@ -23,10 +26,13 @@ pub(crate) struct PrefixModel {
     errors: Vec<f32>,
     groups: Vec<u32>,
     group_count: usize,
-    hierarchy: GrowingHierarchy,
+    color_space: ColorSpace,
+    /// Made for the first view.
+    hierarchy: Option<GrowingHierarchy>,
     cut: HierarchyCut,
 }
 
+#[cfg(feature = "stream")]
 impl PrefixModel {
     /// Checks the arrays of vertices and steps.
     ///
@@ -52,10 +58,12 @@ impl PrefixModel {
         if !fits {
             return Err(Failure::corrupt("the arrays of the simplified mesh do not fit each other"));
         }
-        Ok(Self { positions, first_vertices, targets, added_counts, errors, ..Self::default() })
+        // These are the arrays of a page, whose colors are light.
+        let color_space = ColorSpace::Linear;
+        Ok(Self { positions, first_vertices, targets, added_counts, errors, color_space, ..Self::default() })
     }
 
-    /// Adds the triangles, and builds the hierarchy.
+    /// Adds the triangles.
     ///
     /// # Errors
     /// If a corner is not a vertex, or the steps add another number of triangles.
@@ -74,11 +82,40 @@ impl PrefixModel {
             return Err(Failure::corrupt("the triangles of the simplified mesh do not fit its vertices"));
         }
         (self.triangles, self.groups, self.group_count) = (triangles, groups, group_count);
+        Ok(self)
+    }
+}
+
+impl PrefixModel {
+    /// Takes over a mesh and its steps.
+    #[cfg(feature = "files")]
+    pub(crate) fn of_refinable(
+        RefinableMesh { mesh, sequence }: RefinableMesh,
+        StepOrder { triangles, groups, added_counts }: StepOrder,
+    ) -> Self {
+        let group_count = mesh.groups_or_whole().len();
+        let color_space = mesh.appearance.color_space;
+        let IndexedMesh { positions, layers, .. } = mesh;
+        Self {
+            positions,
+            layers,
+            first_vertices: sequence.positions().first_vertices().to_vec(),
+            targets: sequence.targets().to_vec(),
+            errors: sequence.errors().to_vec(),
+            triangles,
+            groups,
+            added_counts,
+            group_count,
+            color_space,
+            ..Self::default()
+        }
+    }
+
+    fn new_hierarchy(&mut self) -> GrowingHierarchy {
         let mut hierarchy = GrowingHierarchy::new();
         hierarchy.grow(&self.prefix(), &[], |step| self.error_at(step));
-        self.hierarchy = hierarchy;
         self.cut.limit_steps(self.step_count());
-        Ok(self)
+        hierarchy
     }
 
     fn prefix(&self) -> PrefixMesh<'_> {
@@ -128,8 +165,7 @@ impl Leveled for PrefixModel {
 
     fn vertices(&self, first: usize) -> Vertices {
         let first = first.min(self.vertex_count());
-        // These are the arrays of a page, whose colors are light.
-        Vertices::new(&self.positions[first..], &self.layers, first, ColorSpace::Linear)
+        Vertices::new(&self.positions[first..], &self.layers, first, self.color_space)
     }
 
     fn smooth_normals(&self) -> Vec<[f32; 3]> {
@@ -165,10 +201,15 @@ impl Leveled for PrefixModel {
     fn show_view(&mut self, view: &View) -> Result<(ShownLevel, bool), Failure> {
         let criterion = view.criterion()?;
         let limit = if view.triangle_limit == 0 { usize::MAX } else { view.triangle_limit as usize };
-        self.cut.refine(&self.hierarchy, &criterion, limit);
+        let hierarchy = match self.hierarchy.take() {
+            Some(hierarchy) => hierarchy,
+            None => self.new_hierarchy(),
+        };
+        self.cut.refine(&hierarchy, &criterion, limit);
         let mut triangles = Vec::new();
-        self.cut.triangles_into(&self.hierarchy, &self.prefix(), &mut triangles);
-        let coarsest = self.cut.first_coarse_step(&self.hierarchy);
+        self.cut.triangles_into(&hierarchy, &self.prefix(), &mut triangles);
+        let coarsest = self.cut.first_coarse_step(&hierarchy);
+        self.hierarchy = Some(hierarchy);
         Ok((self.shown(&triangles, self.cut.split_count(), coarsest), true))
     }
 

@@ -6,6 +6,7 @@ use striata_scene::stream::{ImageState, SceneStreamInfo, SceneStreamUpdate};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::model::Model;
+use crate::scene_document::{SceneDocument, SceneImage};
 use crate::scene_parts::SharedScene;
 use crate::stream_source::StreamSource;
 use crate::streamed_model::StreamedModel;
@@ -163,70 +164,5 @@ impl SceneModel {
             }
         }
         self.images.extend(update.images.into_iter().map(|image| image as u32));
-    }
-}
-
-/// The document of a scene, its buffer and images. Each `take_` method returns its part once.
-#[wasm_bindgen]
-#[derive(Debug)]
-pub struct SceneDocument {
-    json: String,
-    buffer: Vec<u8>,
-    has_animations: bool,
-    images: Vec<SceneImage>,
-}
-
-#[wasm_bindgen]
-impl SceneDocument {
-    /// The glTF document as JSON, without geometry, images and `buffers`.
-    pub fn take_json(&mut self) -> String {
-        std::mem::take(&mut self.json)
-    }
-
-    /// The buffer that the document's buffer views refer to.
-    pub fn take_buffer(&mut self) -> Vec<u8> {
-        std::mem::take(&mut self.buffer)
-    }
-
-    /// Whether the document has all of its animations.
-    #[wasm_bindgen(getter)]
-    pub fn has_animations(&self) -> bool {
-        self.has_animations
-    }
-
-    /// Takes the first image that was not taken yet.
-    pub fn take_image(&mut self) -> Option<SceneImage> {
-        (!self.images.is_empty()).then(|| self.images.remove(0))
-    }
-}
-
-/// An image of a scene, or its preview.
-#[wasm_bindgen]
-#[derive(Debug)]
-pub struct SceneImage {
-    /// Whether this is the image itself.
-    pub is_full: bool,
-    bytes: Vec<u8>,
-    mime_type: String,
-    uri: String,
-}
-
-#[wasm_bindgen]
-impl SceneImage {
-    /// The image file; empty if the scene does not contain it.
-    pub fn take_bytes(&mut self) -> Vec<u8> {
-        std::mem::take(&mut self.bytes)
-    }
-
-    /// MIME type; empty if it is unknown.
-    #[wasm_bindgen(getter)]
-    pub fn mime_type(&self) -> String {
-        self.mime_type.clone()
-    }
-
-    /// URI of the image in the source of the scene; empty if it had none.
-    #[wasm_bindgen(getter)]
-    pub fn uri(&self) -> String {
-        self.uri.clone()
     }
 }

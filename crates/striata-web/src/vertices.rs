@@ -1,6 +1,6 @@
 //! Converts positions and attribute layers to vertex buffers.
 
-use striata::mesh::{AttributeLayer, ColorSpace, Semantic};
+use striata::mesh::{AttributeLayer, ColorSpace, LayerData, Semantic};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Vertex attributes of a range of vertices. Each `take_` method returns its buffer once.
@@ -12,7 +12,6 @@ use wasm_bindgen::prelude::wasm_bindgen;
 pub struct Vertices {
     positions: Vec<f32>,
     layers: Vec<AttributeLayer>,
-    color_space: ColorSpace,
 }
 
 #[wasm_bindgen]
@@ -29,8 +28,7 @@ impl Vertices {
 
     /// Red, green, blue and alpha of each vertex in linear light, if the mesh has colors; 65535 is all of it.
     pub fn take_colors(&mut self) -> Option<Vec<u16>> {
-        let color_space = self.color_space;
-        self.take(DrawnLayer::Color).map(|layer| colors(&layer, color_space))
+        self.take(DrawnLayer::Color).map(|layer| colors(&layer, ColorSpace::Linear))
     }
 
     /// Texture coordinates, two numbers per vertex with `v` pointing down, if the mesh has any.
@@ -51,7 +49,7 @@ impl Vertices {
 }
 
 impl Vertices {
-    /// Converts positions and layers, skipping the first `skipped` vertices of the layers.
+    /// Converts positions and layers, skipping the first `skipped` vertices of the layers. Colors become light.
     pub(crate) fn new(
         positions: &[[f32; 3]],
         layers: &[AttributeLayer],
@@ -59,11 +57,8 @@ impl Vertices {
         color_space: ColorSpace,
     ) -> Self {
         let layers = layers.iter().filter(|layer| layer.component_count > 0);
-        Self {
-            positions: positions.as_flattened().to_vec(),
-            layers: layers.map(|layer| from_vertex(layer, skipped)).collect(),
-            color_space,
-        }
+        let layers = layers.map(|layer| in_light(from_vertex(layer, skipped), color_space));
+        Self { positions: positions.as_flattened().to_vec(), layers: layers.collect() }
     }
 
     fn take(&mut self, drawn: DrawnLayer) -> Option<AttributeLayer> {
@@ -148,6 +143,16 @@ fn from_vertex(layer: &AttributeLayer, first: usize) -> AttributeLayer {
     AttributeLayer { semantic: layer.semantic.clone(), data, ..*layer }
 }
 
+/// Converts colors that are not light.
+fn in_light(layer: AttributeLayer, color_space: ColorSpace) -> AttributeLayer {
+    let is_light = color_space == ColorSpace::Linear || !matches!(layer.semantic, Semantic::Color(_));
+    if is_light || layer.component_count > 4 {
+        return layer;
+    }
+    let data = LayerData::U16(colors(&layer, color_space));
+    AttributeLayer { component_count: 4, normalized: true, data, ..layer }
+}
+
 /// Converts a layer to floats.
 fn floats(layer: &AttributeLayer) -> Vec<f32> {
     let width = usize::from(layer.component_count);
@@ -169,8 +174,6 @@ fn colors(layer: &AttributeLayer, color_space: ColorSpace) -> Vec<u16> {
 
 #[cfg(test)]
 mod tests {
-    use striata::mesh::LayerData;
-
     use super::*;
 
     #[test]

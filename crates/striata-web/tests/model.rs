@@ -1,18 +1,20 @@
 //! The model as a page uses it: bytes in, levels out, and a clean error for any damaged bytes.
 
 use striata::file::{FileModel, WriteOptions, to_striata, write_fragments};
-use striata::ignore_progress;
 use striata::mesh::{
-    AttributeLayer, IndexedMesh, Random, Semantic, TriangleGroup, canonical_triangles, replay,
-    replay_fragments, shapes,
+    AttributeLayer, FragmentedMesh, IndexedMesh, Material, Random, Semantic, TriangleGroup,
+    canonical_triangles, replay, replay_fragments, shapes,
 };
-use striata::model::Fans;
+use striata::model::{Fans, LodStrips, Patterns};
 use striata::simplify::{
     BatchOptions, RemovalOptions, SequenceOptions, build_batches, build_fragments, build_sequence,
 };
-use striata_io::{Format, to_bytes};
+use striata::strip::stripify;
+use striata::{LodOptions, Target};
+use striata_io::Scene;
+use striata_scene::LodScene;
 use striata_stream::{StreamDecoder, StreamOptions, encode_stream, file_model};
-use striata_web::{Model, StreamPlace, View};
+use striata_web::{Model, StoredFile, StreamPlace, View};
 
 /// A torus with colors and two groups.
 fn torus() -> IndexedMesh {
@@ -29,6 +31,11 @@ fn torus() -> IndexedMesh {
 fn stream_of(mesh: &IndexedMesh) -> Vec<u8> {
     let built = build_batches(mesh, &BatchOptions::default()).unwrap();
     encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default()).unwrap().bytes
+}
+
+/// The only mesh of a file.
+fn stored(bytes: &[u8]) -> Model {
+    StoredFile::read(bytes).unwrap().take_mesh(0).unwrap()
 }
 
 fn decoded(bytes: &[u8]) -> Model {
@@ -70,7 +77,6 @@ fn levels_of_a_stream_keep_their_groups() {
         let error = refinable.sequence.error_at(model.shown_split_count());
         assert_eq!(model.shown_error(), error);
     }
-    assert!(Model::read(bytes, "torus.stri", &mut ignore_progress).unwrap().is_complete());
 }
 
 #[test]
@@ -164,8 +170,8 @@ fn distant_views_show_fewer_triangles_and_respect_their_limit() {
 #[test]
 fn strips_and_fans_contain_the_shown_triangles() {
     let mut model = decoded(&stream_of(&torus()));
-    let file = to_bytes(Format::Ply, &torus(), &Default::default()).unwrap();
-    let mut file = Model::read(file, "torus.ply", &mut ignore_progress).unwrap();
+    let refinable = build_sequence(&torus(), &SequenceOptions::default()).unwrap().refinable;
+    let mut file = stored(&to_striata(&refinable, &[], &WriteOptions::default()).unwrap());
     for model in [&mut model, &mut file] {
         model.show_detail(0.6);
         let shown = triangles(model);
@@ -215,7 +221,6 @@ fn bytes_after_the_end_of_a_stream_are_rejected() {
     let mut whole = decoded(&bytes);
     whole.show_view(&camera([1.6, 0.1, 0.1], 0.001, 0)).unwrap();
     assert!(!shown.is_empty() && shown.len().abs_diff(triangles(&whole).len()) < shown.len() / 10);
-    assert_eq!(Model::read(longer, "x.stri", &mut ignore_progress).unwrap_err().code(), "corrupt");
 }
 
 #[test]
@@ -249,44 +254,104 @@ fn damage_is_reported_and_never_panics() {
 
 #[test]
 fn files_are_read_completely() {
-    let large = shapes::torus(200, 100, 1.0, 0.4);
-    let ply = to_bytes(Format::Ply, &large, &Default::default()).unwrap();
-    let mut calls = 0;
-    let mut progress = |_| {
-        calls += 1;
-        std::ops::ControlFlow::Continue(())
-    };
-    let mut model = Model::read(ply, "torus.ply", &mut progress).unwrap();
-    assert!(calls > 0 && model.is_complete() && model.kind() == "mesh");
-    assert_eq!(triangles(&model).len(), large.triangle_count());
-    model.show_triangles(300);
-    assert!(triangles(&model).len() <= 300);
-
     let refinable = build_sequence(&torus(), &SequenceOptions::default()).unwrap().refinable;
     let fans = Fans::build(&refinable);
-    for models in [vec![], vec![FileModel::Fans(&fans)]] {
+    let lod_strips = LodStrips::build(&refinable, &stripify(&refinable.mesh).unwrap()).unwrap();
+    let patterns = Patterns::build(&FragmentedMesh::from_collapses(&refinable)).unwrap();
+    let models = [
+        vec![],
+        vec![FileModel::Fans(&fans)],
+        vec![FileModel::LodStrips(&lod_strips)],
+        vec![FileModel::Patterns(&patterns)],
+    ];
+    for models in models {
         let bytes = to_striata(&refinable, &models, &WriteOptions::default()).unwrap();
         assert_eq!(StreamPlace::find(&bytes).unwrap().length, 0.0);
-        let mut model = Model::read(bytes.clone(), "torus.striata", &mut ignore_progress).unwrap();
+        let mut model = stored(&bytes);
         assert_eq!((model.kind().as_str(), model.step_count()), ("striata", refinable.sequence.step_count()));
-        model.show_detail(0.3);
-        let expected = replay(&refinable, model.shown_split_count()).triangles;
-        assert_eq!(triangles(&model), canonical_triangles(&expected));
-        let cut = bytes[..bytes.len() - 1].to_vec();
-        assert_eq!(Model::read(cut, "torus.striata", &mut ignore_progress).unwrap_err().code(), "corrupt");
+        for detail in [0.0, 0.3, 1.0] {
+            model.show_detail(detail);
+            let expected = replay(&refinable, model.shown_split_count()).triangles;
+            assert_eq!(triangles(&model), canonical_triangles(&expected));
+        }
+        model.show_triangles(300);
+        assert!(triangles(&model).len() <= 300);
+        let failure = StoredFile::read(&bytes[..bytes.len() - 1]).unwrap_err();
+        assert_eq!((failure.code().as_str(), failure.hint().is_some()), ("corrupt", true));
     }
 }
 
 #[test]
-fn files_that_are_not_meshes_are_rejected() {
-    let read =
-        |bytes: &[u8], name: &str| Model::read(bytes.to_vec(), name, &mut ignore_progress).unwrap_err();
-    assert_eq!(read(b"hello", "hello.txt").code(), "format");
-    assert!(read(b"hello", "hello.txt").hint().unwrap().contains(".ply"));
-    assert_eq!(read(b"ply\nformat ascii 1.0\nelement vertex x\n", "x.ply").code(), "corrupt");
-    assert_eq!(read(b"v 0 0 0\n", "points.obj").code(), "unsupported");
-    let mut model = Model::new();
-    assert_eq!(model.push(b"hello, world").unwrap_err().code(), "format");
+fn stored_meshes_have_documents_with_their_attributes_and_materials() {
+    let mut mesh = torus();
+    mesh.appearance.materials.push(Material { name: "paint".to_owned(), ..Material::default() });
+    mesh.groups[1].material = Some(0);
+    let refinable = build_sequence(&mesh, &SequenceOptions::default()).unwrap().refinable;
+    let bytes = to_striata(&refinable, &[], &WriteOptions::default()).unwrap();
+    let mut file = StoredFile::read(&bytes).unwrap();
+    let json = file.take_document().unwrap().take_json();
+    for part in ["\"POSITION\":null", "\"NORMAL\":null", "\"COLOR_0\":null", "\"material\":0", "paint"] {
+        assert!(json.contains(part), "{part} of {json}");
+    }
+    let mut vertices = file.take_mesh(0).unwrap().vertices(0);
+    let mut names = Vec::new();
+    while let Some(layer) = vertices.take_layer() {
+        assert_eq!(layer.bytes().is_empty(), layer.component_count() == 0);
+        names.push(format!("{} {}", layer.name(), layer.component_type()));
+    }
+    // Colors of files are sRGB, and those of pages are light.
+    assert_eq!(names, ["COLOR_0 u16", "NORMAL f32"]);
+}
+
+#[test]
+fn files_with_many_triangles_at_an_edge_are_read() {
+    let mut fins = IndexedMesh::new(vec![[0.0; 3], [0.0, 0.0, 1.0]], Vec::new());
+    for fin in 0..300u32 {
+        let angle = fin as f32 * 0.02;
+        fins.positions.push([angle.cos(), angle.sin(), 0.5]);
+        fins.triangles.push([0, 1, fin + 2]);
+    }
+    let refinable = build_sequence(&fins, &SequenceOptions::default()).unwrap().refinable;
+    let mut model = stored(&to_striata(&refinable, &[], &WriteOptions::default()).unwrap());
+    for detail in [1.0, 0.5] {
+        model.show_detail(detail);
+        let expected = replay(&refinable, model.shown_split_count()).triangles;
+        assert_eq!(triangles(&model), canonical_triangles(&expected), "detail {detail}");
+    }
+}
+
+#[test]
+fn stored_scenes_have_the_levels_of_their_meshes() {
+    let scene = Scene::from_mesh(torus()).unwrap();
+    let lods = LodScene::build(&scene, &LodOptions::default()).unwrap();
+    let mut file = StoredFile::read(&lods.to_striata(&WriteOptions::default()).unwrap()).unwrap();
+    assert_eq!(file.mesh_count(), 1);
+    let mut model = file.take_mesh(0).unwrap();
+    let lod = lods.lods()[0].as_ref().unwrap();
+    for detail in [0.1, 0.6] {
+        model.show_detail(detail);
+        let expected = lod.level_mesh(Target::SplitCount(model.shown_split_count()));
+        assert_eq!(triangles(&model), canonical_triangles(&expected.triangles));
+    }
+    assert!(file.take_mesh(0).is_none() && file.take_mesh(1).is_none(), "each is taken once");
+}
+
+#[test]
+fn damaged_stored_files_are_refused() {
+    let lods = LodScene::build(&Scene::from_mesh(torus()).unwrap(), &LodOptions::default()).unwrap();
+    let bytes = lods.to_striata(&WriteOptions::default()).unwrap();
+    assert_eq!(StoredFile::read(b"hello, world").unwrap_err().code(), "format");
+    let mut random = Random::new(11);
+    for _ in 0..100 {
+        let mut damaged = bytes.clone();
+        let at = random.below(damaged.len() as u32) as usize;
+        damaged[at] ^= 1 << random.below(8);
+        // Bytes between the sections mean nothing.
+        if let Err(failure) = StoredFile::read(&damaged) {
+            assert!(["format", "corrupt", "unsupported", "too-large"].contains(&failure.code().as_str()));
+        }
+        assert!(StoredFile::read(&bytes[..at]).is_err(), "{at} bytes");
+    }
 }
 
 #[test]
@@ -311,9 +376,8 @@ fn the_header_locates_the_stream() {
     let mut damaged = bytes[..length].to_vec();
     damaged[70] ^= 1;
     assert_eq!(StreamPlace::find(&damaged).unwrap_err().code(), "corrupt");
-    // A whole file is decoded from its stream, too.
-    let model = Model::read(bytes, "torus.striata", &mut ignore_progress).unwrap();
-    assert_eq!((model.kind().as_str(), model.triangle_count()), ("striata", mesh.triangle_count()));
+    // The models beside a stream can be read, too.
+    assert_eq!(stored(&bytes).triangle_count(), mesh.triangle_count());
 }
 
 #[test]
@@ -323,7 +387,7 @@ fn fans_of_removals_show_every_level() {
     let mut bytes = Vec::new();
     let options = WriteOptions::default();
     write_fragments(&built.fragmented, &[FileModel::Fans(&fans)], &options, &mut bytes).unwrap();
-    let mut model = Model::read(bytes, "torus.striata", &mut ignore_progress).unwrap();
+    let mut model = stored(&bytes);
     assert_eq!((model.kind().as_str(), model.group_count()), ("striata", 2));
     let step_count = built.fragmented.fragments.levels().step_count();
     for split_count in [0, step_count / 3, step_count] {

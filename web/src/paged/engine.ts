@@ -5,11 +5,11 @@
  * request cancels the downloads of the last one, except for those that it needs too.
  */
 
-import { startBuilder } from '../build.ts';
-import { asPlain, asStriataError } from '../error.ts';
+import { asPlain, asStriataError, isFailure } from '../error.ts';
+import { startFiles } from '../files.ts';
 import type { LevelRequest, Order, Report, State, Update } from '../protocol.ts';
 import type { Coloring } from '../types.ts';
-import { Failure, PagedModel, View, type PagedWant } from '../wasm/striata-builder.js';
+import { PagedModel, View, type PagedWant } from '../wasm/striata-files.js';
 import { readRange, type PagedPlace } from './ranges.ts';
 
 /** The first order. */
@@ -59,7 +59,7 @@ export class PagedEngine {
   take(order: PagedOrder): void {
     if (this.#isClosed) return;
     if (order.type === 'open') {
-      startBuilder(order.module);
+      startFiles(order.module);
       this.#model = new PagedModel(order.name);
       this.#place = order.place;
     } else if (order.type === 'show') {
@@ -137,7 +137,7 @@ export class PagedEngine {
         return model.show_view(view, factor);
       } catch (thrown) {
         // A camera that sees nothing changes nothing.
-        if (!(thrown instanceof Failure) || thrown.code !== 'unsupported') throw thrown;
+        if (!isFailure(thrown) || thrown.code !== 'unsupported') throw thrown;
         thrown.free();
         return true;
       } finally {

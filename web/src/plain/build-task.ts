@@ -100,6 +100,9 @@ export class BuildTask {
         this.#reject(fromPlain(report.error));
         scene.end(fromPlain(report.error));
         break;
+      case 'solid':
+        scene.becomeSolid();
+        break;
       case 'finished':
         this.#resolve();
         this.#progress(1);

@@ -5,7 +5,7 @@ import { contentOf, type Content } from '../content.ts';
 import { StriataError } from '../error.ts';
 import { isContainer } from '../magic.ts';
 import { registerStriata } from '../register.ts';
-import type { SceneContext } from '../scene/scene-task.ts';
+import { SceneTask, type SceneContext } from '../scene/scene-task.ts';
 import type { StriataScene } from '../scene/scene.ts';
 import { decompressed } from '../unpack.ts';
 import { BuildTask } from './build-task.ts';
@@ -35,7 +35,7 @@ export async function wholeFile(content: Content, name: string, signal: AbortSig
 
 /** Reads a file without a stream. */
 export function readFile({ bytes, name }: WholeFile, context: SceneContext): Promise<ReadFile> {
-  if (isContainer(bytes)) throw new StriataError('unsupported', `${name} contains no stream`, 'convert it with `striata encode`');
+  if (isContainer(bytes)) throw new StriataError('unsupported', `${name} contains no stream`, 'use `loader.loadAsync(url)`');
   const { loader, module, path, manager } = context;
   return readPlain(bytes, name, {
     manager,
@@ -48,7 +48,8 @@ export function readFile({ bytes, name }: WholeFile, context: SceneContext): Pro
 }
 
 /** Opens a file without a stream: its meshes have the levels that it contains, or those that are built of them. */
-export async function openPlain(file: WholeFile, context: SceneContext): Promise<StriataScene> {
+export async function openWhole(file: WholeFile, context: SceneContext): Promise<StriataScene> {
+  if (isContainer(file.bytes)) return new SceneTask({ ...context, kind: 'striata' }, file.bytes.length).runStored(file.bytes);
   const read = await readFile(file, context);
   const refined = read.gltf?.userData['striata'] as StriataScene | undefined;
   if (!refined) return new BuildTask(context, file.bytes.length + (read.companionBytes ?? 0)).run(read);

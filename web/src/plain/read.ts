@@ -5,7 +5,7 @@ import {
 } from 'three';
 import type { GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { StriataError } from '../error.ts';
-import { isContainer, isGlb } from '../magic.ts';
+import { isGlb } from '../magic.ts';
 import type { SceneContents } from '../scene/scene.ts';
 import { isOff, parseOff } from './off.ts';
 
@@ -33,7 +33,6 @@ const TEXT_BYTES = 4096;
 
 /** Reads a whole file; its name tells the format if its contents do not. */
 export async function readPlain(bytes: Uint8Array, name: string, options: ReadOptions): Promise<ReadFile> {
-  if (isContainer(bytes)) throw new StriataError('unsupported', `${name}: the file contains no stream`, 'convert it: striata encode FILE -o FILE.stri');
   const format = formatOf(bytes, name);
   try {
     if (format === 'gltf') return await readGltf(bytes, options);

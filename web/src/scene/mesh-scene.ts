@@ -33,6 +33,7 @@ class MeshScene extends StriataScene {
     mesh.addEventListener('error', ({ error }) => this.dispatchEvent({ type: 'error', error }));
   }
 
+  override get isSolid(): boolean { return this.#mesh.isSolid; }
   override get detail(): number { return this.#mesh.detail; }
   override set detail(detail: number) { this.#mesh.detail = detail; }
   override get triangleBudget(): number | null { return this.#mesh.triangleBudget; }

@@ -34,6 +34,8 @@ export type SceneOrder =
   | { type: 'end'; error?: PlainError }
   /** Meshes whose levels are built by the second wasm module. */
   | { type: 'build'; meshes: MeshArrays[]; builder: WebAssembly.Module }
+  /** A whole `.striata` file of a mesh or a scene, which the third wasm module reads. */
+  | { type: 'stored'; bytes: Uint8Array; files: WebAssembly.Module }
   | { type: 'target'; target: SceneTarget; coloring: Coloring; ticket: number }
   /** A request for the indices of a level that is not shown. */
   | { type: 'indices'; mesh: number; request: LevelRequest; id: number };
@@ -53,7 +55,7 @@ export interface NewLayer {
   name: string;
   itemSize: number;
   normalized: boolean;
-  values: Float32Array | Uint8Array | Uint16Array | Uint32Array;
+  values: Float32Array | Int8Array | Int16Array | Int32Array | Uint8Array | Uint16Array | Uint32Array;
 }
 
 /** What a mesh shows, and its vertices that have arrived since the last update. */
@@ -120,7 +122,9 @@ export type SceneReport =
   /** A mesh that cannot have levels. */
   | { type: 'unbuilt'; mesh: number; error: PlainError }
   | { type: 'failed'; error: PlainError }
-  | { type: 'finished' };
+  | { type: 'finished' }
+  /** The backs of the triangles of all meshes cannot be seen: they enclose bodies and face outward. */
+  | { type: 'solid' };
 
 /** Buffers of a report that can be transferred instead of copied. */
 export function sceneTransfer(report: SceneReport): ArrayBuffer[] {

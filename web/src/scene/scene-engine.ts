@@ -5,11 +5,13 @@
  * meshes is distributed over them again whenever more has arrived.
  */
 
-import { Failure, Model, SceneModel, View, type SceneDocument as WasmDocument, type SceneImage as WasmImage } from '../wasm/striata.js';
-import { asPlain, asStriataError, StriataError, type PlainError } from '../error.ts';
+import { Model, SceneModel, View, type SceneDocument as WasmDocument, type SceneImage as WasmImage } from '../wasm/striata.js';
+import { StoredFile, View as StoredView } from '../wasm/striata-files.js';
+import { asPlain, asStriataError, isFailure, StriataError, type PlainError } from '../error.ts';
 import type { LevelRequest } from '../protocol.ts';
 import type { Coloring, Phase } from '../types.ts';
 import { buildModel, startBuilder } from '../build.ts';
+import { startFiles } from '../files.ts';
 import { distribute } from './distribute.ts';
 import type { MeshArrays, MeshUpdate, NewLayer, SceneDocument, SceneImage, SceneOrder, SceneReport, SceneState, SceneTarget } from './protocol.ts';
 import { yieldToEventLoop } from '../event-loop.ts';
@@ -22,11 +24,15 @@ const MIN_UPDATE_INTERVAL_MS = 60;
 /** Minimum time between two updates, as a multiple of the time the last one took. */
 const UPDATE_INTERVAL_FACTOR = 4;
 
-const ARRAYS = { f32: Float32Array, u8: Uint8Array, u16: Uint16Array, u32: Uint32Array };
+const ARRAYS = {
+  f32: Float32Array, f64: Float64Array, i8: Int8Array, i16: Int16Array, i32: Int32Array, u8: Uint8Array, u16: Uint16Array, u32: Uint32Array,
+};
 
 /** A mesh of the scene, and what the page knows about it. */
 interface EngineMesh {
   model: Model;
+  /** The class of views of the module that the model belongs to. */
+  View: typeof View;
   sentVertexCount: number;
   /** The level that was sent last, as a text that identifies it. */
   sentLevel: string;
@@ -83,6 +89,9 @@ export class SceneEngine {
       case 'build':
         void this.#build(order.meshes, order.builder);
         break;
+      case 'stored':
+        this.#reportErrors(() => this.#openStored(order.bytes, order.files));
+        break;
       case 'target':
         this.#target = order.target;
         this.#coloring = order.coloring;
@@ -127,7 +136,7 @@ export class SceneEngine {
       if (this.#isDisposed) return;
       try {
         const model = buildModel(mesh, (share) => this.#report({ type: 'building', share: (done + share * sizes[index]!) / total }));
-        this.#meshes[index] = { model, sentVertexCount: 0, sentLevel: '', isSettled: true };
+        this.#meshes[index] = newMesh(model);
       } catch (thrown) {
         failures.push([index, asPlain(asStriataError(thrown))]);
       }
@@ -143,7 +152,34 @@ export class SceneEngine {
     this.#reportErrors(() => {
       this.#postMeshes();
       this.#report({ type: 'finished' });
+      this.#examine();
     });
+  }
+
+  /** Reports whether the backs of triangles can be seen. */
+  #examine(): void {
+    // Scenes of several meshes have materials, which say what is shown.
+    const [mesh, ...others] = this.#meshes;
+    if (mesh && others.length === 0 && mesh.model.is_solid()) this.#report({ type: 'solid' });
+  }
+
+  /** Reads a whole file. */
+  #openStored(bytes: Uint8Array, files: WebAssembly.Module): void {
+    const start = performance.now();
+    startFiles(files);
+    const file = StoredFile.read(bytes);
+    const document = documentOf(file.take_document()!);
+    for (let index = 0; index < file.mesh_count; index++) {
+      const model = file.take_mesh(index);
+      this.#meshes.push(model && newMesh(model, StoredView));
+    }
+    file.free();
+    this.#decodeMs = performance.now() - start;
+    this.#hasEnded = true;
+    this.#phase = 'done';
+    this.#report({ type: 'document', document, meshes: this.#updates(), state: this.#state() });
+    this.#report({ type: 'finished' });
+    this.#examine();
   }
 
   /** Decodes the queued bytes, then finishes if no more are coming. */
@@ -197,8 +233,8 @@ export class SceneEngine {
 
   #push(bytes: Uint8Array, mesh: number | undefined): void {
     if (mesh !== undefined) {
-      this.#meshes[mesh] ??= { model: new Model(), sentVertexCount: 0, sentLevel: '', isSettled: true };
-      this.#meshes[mesh].model.push(bytes);
+      const own = (this.#meshes[mesh] ??= newMesh(new Model()));
+      own.model.push(bytes);
       return;
     }
     this.#scene ??= new SceneModel();
@@ -206,7 +242,7 @@ export class SceneEngine {
     if (this.#meshes.length > 0 || !this.#scene.has_document) return;
     for (let index = 0; index < this.#scene.mesh_count; index++) {
       const model = this.#scene.mesh(index);
-      this.#meshes.push(model && { model, sentVertexCount: 0, sentLevel: '', isSettled: true });
+      this.#meshes.push(model && newMesh(model));
     }
   }
 
@@ -228,6 +264,7 @@ export class SceneEngine {
     }
     this.#end = undefined;
     this.#report(failure ? { type: 'failed', error: failure } : { type: 'finished' });
+    if (!failure) this.#examine();
   }
 
   #finishDecoding(): void {
@@ -306,7 +343,7 @@ export class SceneEngine {
     if (level === mesh.sentLevel && mesh.isSettled && !(isNew && mesh.isShort)) return false;
     mesh.sentLevel = level;
     mesh.isSettled = true;
-    if (request) mesh.isSettled = showRequest(model, request);
+    if (request) mesh.isSettled = showRequest(mesh, request);
     else model.show_detail(model.step_count > 0 ? splitCount / model.step_count : 1);
     mesh.isShort = !request && model.shown_split_count < splitCount;
     return true;
@@ -349,7 +386,7 @@ export class SceneEngine {
     const mesh = this.#meshes[index];
     const lists: Uint32Array[] = [];
     if (mesh?.model.is_ready) {
-      showRequest(mesh.model, request);
+      showRequest(mesh, request);
       const indices = mesh.model.indices();
       let start = 0;
       for (const count of mesh.model.group_counts()) lists.push(indices.slice(start, (start += 3 * count)));
@@ -371,15 +408,19 @@ export class SceneEngine {
   }
 }
 
+function newMesh(model: Model, ViewOf = View): EngineMesh {
+  return { model, View: ViewOf, sentVertexCount: 0, sentLevel: '', isSettled: true };
+}
+
 /** Shows a requested level; returns whether repeating the request would give the same result. */
-function showRequest(model: Model, { by, value, limit, camera }: LevelRequest): boolean {
+function showRequest({ model, View: ViewOf }: EngineMesh, { by, value, limit, camera }: LevelRequest): boolean {
   if (by === 'view' && camera) {
-    const view = new View(Float64Array.from(camera), value, limit);
+    const view = new ViewOf(Float64Array.from(camera), value, limit);
     try {
       return model.show_view(view);
     } catch (thrown) {
       // A camera that sees nothing changes nothing.
-      if (!(thrown instanceof Failure)) throw thrown;
+      if (!isFailure(thrown)) throw thrown;
       thrown.free();
       return true;
     } finally {
@@ -401,7 +442,9 @@ function newLayers(model: Model, first: number): NewLayer[] {
     for (let layer = vertices.take_layer(); layer; layer = vertices.take_layer()) {
       const array = ARRAYS[layer.component_type as keyof typeof ARRAYS];
       const bytes = layer.bytes();
-      const values = new array(bytes.buffer as ArrayBuffer, bytes.byteOffset, bytes.byteLength / array.BYTES_PER_ELEMENT);
+      const own = new array(bytes.buffer as ArrayBuffer, bytes.byteOffset, bytes.byteLength / array.BYTES_PER_ELEMENT);
+      // Graphics cards have no doubles.
+      const values = own instanceof Float64Array ? Float32Array.from(own) : own;
       layers.push({ name: layer.name, itemSize: layer.component_count, normalized: layer.is_normalized, values });
       layer.free();
     }

@@ -7,6 +7,7 @@ import { aborted, asPlain, asStriataError, fromPlain, StriataError } from '../er
 import type { Kind, LoaderOptions, OpenOptions, Phase } from '../types.ts';
 import { GltfScene } from './gltf-scene.ts';
 import type { SceneDocument, SceneOrder, SceneReport } from './protocol.ts';
+import { filesModule } from '../wasm.ts';
 import { StriataScene } from './scene.ts';
 
 /** What a scene needs besides its bytes. */
@@ -43,6 +44,28 @@ export class SceneTask {
 
   /** Resolves as soon as the scene can be drawn. */
   run(chunks: ByteChunks): Promise<StriataScene> {
+    const { download } = this.#context;
+    const loaded = this.#begin();
+    this.#receive(chunks).catch((thrown: unknown) => {
+      if (download.signal.aborted) return;
+      const error = asStriataError(thrown);
+      if (error.code === 'aborted') this.#fail(error);
+      else this.#engine?.send({ type: 'end', error: asPlain(error) });
+    });
+    return loaded;
+  }
+
+  /** Opens a whole `.striata` file. */
+  async runStored(bytes: Uint8Array): Promise<StriataScene> {
+    this.#received = bytes.length;
+    const files = await filesModule(this.#context.loader);
+    if (this.#context.download.signal.aborted) throw aborted();
+    const loaded = this.#begin();
+    this.#engine?.send({ type: 'stored', bytes, files });
+    return loaded;
+  }
+
+  #begin(): Promise<StriataScene> {
     const { options, download, module, loader } = this.#context;
     const loaded = new Promise<StriataScene>((resolve, reject) => {
       this.#resolve = resolve;
@@ -52,12 +75,6 @@ export class SceneTask {
     options.signal?.addEventListener('abort', abort, { once: true });
     download.signal.addEventListener('abort', () => options.signal?.removeEventListener('abort', abort));
     this.#engine = connectSceneEngine(module, loader.worker ?? true, (report) => this.#enqueue(report));
-    this.#receive(chunks).catch((thrown: unknown) => {
-      if (download.signal.aborted) return;
-      const error = asStriataError(thrown);
-      if (error.code === 'aborted') this.#fail(error);
-      else this.#engine?.send({ type: 'end', error: asPlain(error) });
-    });
     return loaded;
   }
 
@@ -101,6 +118,9 @@ export class SceneTask {
         break;
       case 'failed':
         this.#fail(fromPlain(report.error));
+        break;
+      case 'solid':
+        this.#scene?.becomeSolid();
         break;
       case 'finished':
         this.#context.download.abort(aborted());

@@ -59,6 +59,7 @@ export class StriataScene extends Group<StriataEvents> implements StriataSceneLi
   #isSettled = true;
   #isFrameScheduled = false;
   #isDisposed = false;
+  #isSolid = false;
   #sentView = '';
   readonly #pendingIndices = new Map<number, (lists: Uint32Array[]) => void>();
   #resolve!: () => void;
@@ -84,6 +85,14 @@ export class StriataScene extends Group<StriataEvents> implements StriataSceneLi
     });
     // Without a handler, the rejection would be unhandled; the `error` event reports it, too.
     this.finished.catch(() => undefined);
+  }
+
+  /**
+   * Whether the model is one mesh whose triangles enclose bodies and face outward, so that `FrontSide` suffices for a material of your
+   * own; known after everything has loaded.
+   */
+  get isSolid(): boolean {
+    return this.#isSolid;
   }
 
   get detail(): number {
@@ -259,6 +268,12 @@ export class StriataScene extends Group<StriataEvents> implements StriataSceneLi
     this.animations.push(...clips);
     this.#resolveAnimated();
     if (clips.length > 0) this.dispatchEvent({ type: 'change' });
+  }
+
+  /** Notes that the backs of the triangles cannot be seen. */
+  becomeSolid(): void {
+    this.#isSolid = true;
+    this.dispatchEvent({ type: 'change' });
   }
 
   /** Ends loading; called by the loader. */

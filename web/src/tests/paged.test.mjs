@@ -9,11 +9,11 @@ import { setTimeout as delay } from 'node:timers/promises';
 
 const dist = new URL('../../dist/', import.meta.url);
 const { StriataLoader } = await import(new URL('striata.js', dist));
-const [wasm, builder] = await Promise.all(['striata', 'striata-builder'].map((name) => WebAssembly.compile(readFileSync(new URL(`${name}.wasm`, dist)))));
+const [wasm, files] = await Promise.all(['striata', 'striata-files'].map((name) => WebAssembly.compile(readFileSync(new URL(`${name}.wasm`, dist)))));
 const file = readFileSync(new URL('terrain.striata', import.meta.url));
 const TRIANGLES = 6962;
 
-const loader = new StriataLoader(undefined, { worker: false, wasm, builder });
+const loader = new StriataLoader(undefined, { worker: false, wasm, files });
 
 /** Waits until a condition holds. */
 async function until(condition) {

@@ -50,7 +50,8 @@ for (const file of process.argv.slice(1)) {
   const gzip = z.gzipSync(bytes, { level: 9 }).length, brotli = z.brotliCompressSync(bytes).length;
   console.log(`${file.split('/').pop()}: ${bytes.length} bytes, gzip -9 ${gzip}, brotli ${brotli}`);
 }";
-    let files = ["striata.wasm", "striata-builder.wasm", "core.js", "striata.js"].map(|name| dist.join(name));
+    let names = ["striata.wasm", "striata-builder.wasm", "striata-files.wasm", "core.js", "striata.js"];
+    let files = names.map(|name| dist.join(name));
     let output =
         Command::new("node").args(["-e", SCRIPT]).args(files).output().context("cannot start node")?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned();

@@ -38,10 +38,11 @@ pub(super) struct Module {
     optimization: &'static str,
 }
 
-/// Modules of pages: one that every page loads, and one only for pages that read files without a stream.
-pub(super) const MODULES: [Module; 2] = [
+/// Modules of pages: one that every page loads, one that simplifies plain meshes, and one that reads `.striata` files.
+pub(super) const MODULES: [Module; 3] = [
     Module { name: "striata", feature: "stream", profile: "web", optimization: "-Os" },
-    Module { name: "striata-builder", feature: "paged", profile: "web-builder", optimization: "-Oz" },
+    Module { name: "striata-builder", feature: "build", profile: "web-builder", optimization: "-Oz" },
+    Module { name: "striata-files", feature: "files", profile: "web-builder", optimization: "-Oz" },
 ];
 
 /// Module that the viewer page loads in place of the builder: it also saves models.

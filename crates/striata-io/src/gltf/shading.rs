@@ -15,17 +15,17 @@ pub(super) fn shaded(mesh: &IndexedMesh) -> Cow<'_, IndexedMesh> {
     if mesh.triangles.is_empty() || has_normals && has_materials {
         return Cow::Borrowed(mesh);
     }
-    let mut is_closed = false;
+    let mut is_solid = false;
     // The writer reports a mesh that is inconsistent.
     let mut out = match PositionEdges::of(mesh) {
         Ok(edges) => {
-            is_closed = edges.is_closed();
+            is_solid = edges.is_solid();
             if has_normals { mesh.clone() } else { edges.with_smooth_normals() }
         }
         Err(_) => mesh.clone(),
     };
     if !has_materials {
-        add_material(&mut out, is_closed);
+        add_material(&mut out, is_solid);
     }
     Cow::Owned(out)
 }
@@ -33,13 +33,13 @@ pub(super) fn shaded(mesh: &IndexedMesh) -> Cow<'_, IndexedMesh> {
 /// Light that a mesh without colors reflects: a white one loses its shading under the lights of most viewers.
 const GRAY: f64 = 0.5;
 
-/// Gives all triangles a matte material; the inner side of an open surface is shown too.
-fn add_material(mesh: &mut IndexedMesh, is_closed: bool) {
+/// Gives all triangles a matte material; the backs of triangles are shown if they can be seen.
+fn add_material(mesh: &mut IndexedMesh, is_solid: bool) {
     let mut material = json!({ "pbrMetallicRoughness": { "metallicFactor": 0.0, "roughnessFactor": 0.9 } });
     if mesh.layer(&Semantic::Color(0)).is_none() {
         material["pbrMetallicRoughness"]["baseColorFactor"] = json!([GRAY, GRAY, GRAY, 1.0]);
     }
-    if !is_closed {
+    if !is_solid {
         material["doubleSided"] = json!(true);
     }
     mesh.appearance.materials = vec![Material { name: String::new(), gltf_json: material.to_string() }];

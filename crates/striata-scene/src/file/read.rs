@@ -1,7 +1,7 @@
 //! Reading of files of scenes.
 
 use striata::Lod;
-use striata::file::{Container, SectionKind, StriataFile, Summary, Verify};
+use striata::file::{Container, DecodeError, SectionKind, StriataFile, Summary, Verify};
 use striata_io::{Scene, SceneParts};
 
 use super::SceneDecodeError;
@@ -33,6 +33,18 @@ impl<'a> SceneFile<'a> {
     /// # Errors
     /// [`SceneDecodeError`] if the bytes are not a valid file of a scene.
     pub fn parse(bytes: &'a [u8]) -> Result<Self, SceneDecodeError> {
+        Self::parse_with(bytes, striata_stream::open)
+    }
+
+    /// Reads a file like [`parse`](Self::parse), and opens the files of its meshes with a function, such as
+    /// [`StriataFile::parse`] if their streams are not to be decoded.
+    ///
+    /// # Errors
+    /// As [`parse`](Self::parse).
+    pub fn parse_with(
+        bytes: &'a [u8],
+        open: fn(&'a [u8]) -> Result<StriataFile<'a>, DecodeError>,
+    ) -> Result<Self, SceneDecodeError> {
         let container = Container::open(bytes, Verify::All)?;
         let document = serde_json::from_slice(container.get(SectionKind::SCENE)?)?;
         let buffer = container.find(SectionKind::SCENE_BUFFER)?.unwrap_or_default().to_vec();
@@ -40,7 +52,7 @@ impl<'a> SceneFile<'a> {
         let images =
             images.map(|(image, bytes)| image_from_bytes(image, bytes?)).collect::<Result<_, _>>()?;
         let meshes = container.all(SectionKind::SCENE_MESH).enumerate();
-        let meshes = meshes.map(|(mesh, bytes)| mesh_file(mesh, bytes?));
+        let meshes = meshes.map(|(mesh, bytes)| mesh_file(mesh, bytes?, open));
         let mut meshes: Vec<Option<StriataFile<'a>>> = meshes.collect::<Result<_, SceneDecodeError>>()?;
         let sources = match container.find(SectionKind::SCENE_SHARING)? {
             Some(bytes) => sources_of(bytes, &meshes)?,
@@ -111,12 +123,13 @@ fn sources_of(bytes: &[u8], meshes: &[Option<StriataFile<'_>>]) -> Result<Vec<us
 }
 
 /// Opens the file of a mesh; [`None`] if its section is empty.
-pub(super) fn mesh_file(mesh: usize, bytes: &[u8]) -> Result<Option<StriataFile<'_>>, SceneDecodeError> {
+pub(super) fn mesh_file<'a>(
+    mesh: usize,
+    bytes: &'a [u8],
+    open: fn(&'a [u8]) -> Result<StriataFile<'a>, DecodeError>,
+) -> Result<Option<StriataFile<'a>>, SceneDecodeError> {
     if bytes.is_empty() {
         return Ok(None);
     }
-    match striata_stream::open(bytes) {
-        Ok(file) => Ok(Some(file)),
-        Err(error) => Err(SceneDecodeError::Mesh { mesh, error }),
-    }
+    open(bytes).map(Some).map_err(|error| SceneDecodeError::Mesh { mesh, error })
 }

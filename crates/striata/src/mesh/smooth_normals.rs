@@ -38,9 +38,35 @@ impl<'a> PositionEdges<'a> {
         Ok(Self { mesh, sides, position_of })
     }
 
-    /// Whether every edge has two triangles.
-    pub fn is_closed(&self) -> bool {
-        self.edges().all(|edge| edge.len() == 2)
+    /// Whether the triangles enclose bodies and face outward, so that their backs cannot be seen: every edge has
+    /// two triangles that face the same way, and no connected part has a negative volume.
+    pub fn is_solid(&self) -> bool {
+        let IndexedMesh { positions, triangles, .. } = self.mesh;
+        let mut parts = DisjointSets::new(triangles.len());
+        for edge in self.edges() {
+            let &[(_, a), (_, b)] = edge else { return false };
+            if self.begin_of(a) == self.begin_of(b) {
+                return false;
+            }
+            parts.join(a / 3, b / 3);
+        }
+        let mut volumes = vec![0.0f64; triangles.len()];
+        let Some(origin) = positions.first() else { return false };
+        for (triangle, corners) in (0u32..).zip(triangles) {
+            let volume = |[a, b, c]: [[f64; 3]; 3]| {
+                let cross = |i: usize, j: usize| b[i] * c[j] - b[j] * c[i];
+                a[0] * cross(1, 2) + a[1] * cross(2, 0) + a[2] * cross(0, 1)
+            };
+            let corner =
+                |v: u32| [0, 1, 2].map(|k| f64::from(positions[v as usize][k]) - f64::from(origin[k]));
+            volumes[parts.root(triangle) as usize] += volume(corners.map(corner));
+        }
+        volumes.iter().all(|&volume| volume >= 0.0)
+    }
+
+    /// Position where the side of a triangle at a corner begins.
+    fn begin_of(&self, corner: u32) -> u32 {
+        self.position_of[self.mesh.triangles.as_flattened()[corner as usize] as usize]
     }
 
     /// Returns the mesh with smooth normals, as its first layer. Normals are the area-weighted means of the
@@ -93,16 +119,14 @@ impl<'a> PositionEdges<'a> {
 
     /// Sets of corners with one normal.
     fn smooth_surfaces(&self, areas: &[[f64; 3]]) -> DisjointSets {
-        let corners = self.mesh.triangles.as_flattened();
-        let mut smooth = DisjointSets::new(corners.len());
+        let mut smooth = DisjointSets::new(3 * self.mesh.triangles.len());
         let least_cosine = CREASE.to_radians().cos() as f32;
         for edge in self.edges() {
             let &[(_, a), (_, b)] = edge else { continue };
             let [m, n] = [a, b].map(|corner| unit(areas[corner as usize / 3]).unwrap_or([0.0; 3]));
             let is_smooth = m[0] * n[0] + m[1] * n[1] + m[2] * n[2] >= least_cosine;
             // Two triangles that face the same way run along their edge in opposite directions.
-            let begin = [a, b].map(|corner| self.position_of[corners[corner as usize] as usize]);
-            if is_smooth && begin[0] != begin[1] {
+            if is_smooth && self.begin_of(a) != self.begin_of(b) {
                 smooth.join(a, next(b));
                 smooth.join(next(a), b);
             }
@@ -174,7 +198,7 @@ mod tests {
         let triangles = faces.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
         let cube = IndexedMesh::new(corners, triangles);
         let edges = PositionEdges::of(&cube).unwrap();
-        assert!(edges.is_closed());
+        assert!(edges.is_solid());
         let shown = edges.with_smooth_normals();
         assert_eq!(shown.vertex_count(), 24);
         for triangle in &shown.triangles {
@@ -192,6 +216,28 @@ mod tests {
         for (v, p) in ball.positions.iter().enumerate() {
             let cosine: f32 = (0..3).map(|k| p[k] * normals.get(v, k)).sum();
             assert!(cosine > 0.999, "{cosine}");
+        }
+    }
+
+    #[test]
+    fn backs_of_solids_cannot_be_seen() {
+        let is_solid = |mesh: &IndexedMesh| PositionEdges::of(mesh).unwrap().is_solid();
+        let mut ball = shapes::icosphere(2, 1.0);
+        // Where the mesh is does not matter.
+        ball.positions.iter_mut().for_each(|p| p[0] += 100.0);
+        let mut open = ball.clone();
+        open.triangles.pop();
+        let mut inverted = ball.clone();
+        inverted.triangles.iter_mut().for_each(|t| t.swap(1, 2));
+        let mut mixed = ball.clone();
+        mixed.triangles[7].swap(0, 1);
+        let mut two = ball.clone();
+        two.positions.extend(inverted.positions.iter().map(|p| p.map(|x| x * 0.5)));
+        let first = ball.positions.len() as u32;
+        two.triangles.extend(inverted.triangles.iter().map(|t| t.map(|v| v + first)));
+        assert!(is_solid(&ball));
+        for mesh in [&open, &inverted, &mixed, &two] {
+            assert!(!is_solid(mesh));
         }
     }
 

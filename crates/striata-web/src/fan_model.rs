@@ -1,18 +1,15 @@
-//! A completely loaded model with everything needed for its levels and views.
+//! A mesh made by removals, whose levels are those of fans: its steps are no collapses.
 
-use striata::mesh::{Bounds, IndexedMesh, LevelTable, RefinableMesh};
+use striata::Target;
+use striata::mesh::{Bounds, FragmentedMesh, IndexedMesh, LevelTable};
 use striata::model::{FanForm, FanFront, FanIndices, FanScene, Fans, LodModel};
-use striata::simplify::{SequenceOptions, build_sequence_with_progress};
 use striata::view::{ScreenError, Sphere};
-use striata::{ProgressFn, Target};
-#[cfg(feature = "files")]
-use striata_io::{Source, read_bytes};
 
 use crate::leveled::Leveled;
 use crate::shown_level::ShownLevel;
 use crate::vertices::Vertices;
 use crate::view::View;
-use crate::{Failure, coloring, limits, normals};
+use crate::{Failure, coloring, normals};
 
 /// Kind of the level shown last, to emit its triangles again in another form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,7 +20,7 @@ enum LastShown {
 
 /// Mesh, counts and errors of its levels, the table of fans, and one instance of it.
 #[derive(Debug)]
-pub(crate) struct BuiltModel {
+pub(crate) struct FanModel {
     mesh: IndexedMesh,
     levels: LevelTable,
     fans: Fans,
@@ -33,49 +30,14 @@ pub(crate) struct BuiltModel {
     indices: FanIndices,
 }
 
-impl BuiltModel {
-    /// Builds the fans of a mesh.
-    pub(crate) fn new(refinable: RefinableMesh) -> Self {
-        let fans = Fans::build(&refinable);
-        let RefinableMesh { mesh, sequence } = refinable;
-        Self::from_parts(mesh, sequence.levels().clone(), fans)
-    }
-
-    pub(crate) fn from_parts(mesh: IndexedMesh, levels: LevelTable, fans: Fans) -> Self {
+impl FanModel {
+    /// Takes over a mesh and its fans.
+    pub(crate) fn new(FragmentedMesh { mesh, fragments }: FragmentedMesh, fans: Fans) -> Self {
+        let levels = fragments.levels().clone();
         let sphere = FanScene::new(&fans, &mesh.positions).sphere();
         let last = LastShown::Uniform(levels.step_count());
         let indices = FanIndices::default();
         Self { mesh, levels, fans, sphere, front: None, last, indices }
-    }
-
-    /// Reads an uncompressed mesh file and simplifies it.
-    ///
-    /// # Errors
-    /// If the bytes are damaged, of an unknown format, or the mesh is too large for a page.
-    #[cfg(feature = "files")]
-    pub(crate) fn from_mesh_file(
-        bytes: Vec<u8>,
-        name: &str,
-        progress: &mut ProgressFn<'_>,
-    ) -> Result<Self, Failure> {
-        let mesh = read_bytes(&bytes, &Source::new(name))?;
-        drop(bytes);
-        Self::simplify(mesh, progress)
-    }
-
-    /// Simplifies a mesh.
-    ///
-    /// # Errors
-    /// If the mesh is inconsistent, empty or too large for a page.
-    pub(crate) fn simplify(mesh: IndexedMesh, progress: &mut ProgressFn<'_>) -> Result<Self, Failure> {
-        limits::check_to_build(mesh.vertex_count(), mesh.triangle_count())?;
-        if mesh.triangles.is_empty() {
-            return Err(Failure::unsupported("the file has no triangles")
-                .with_hint("point clouds and curves cannot be simplified"));
-        }
-        let built = build_sequence_with_progress(&mesh, &SequenceOptions::default(), progress)?;
-        drop(mesh);
-        Ok(Self::new(built.refinable))
     }
 
     /// Emits the triangles of the level shown last.
@@ -113,7 +75,7 @@ impl BuiltModel {
     }
 }
 
-impl Leveled for BuiltModel {
+impl Leveled for FanModel {
     fn is_complete(&self) -> bool {
         true
     }
