@@ -1,7 +1,7 @@
 /** Collects the triangles that three.js' loaders have read, as the arrays that levels are built from. */
 
-import { type BufferAttribute, type BufferGeometry, type InterleavedBufferAttribute, type Mesh, type Object3D } from 'three';
-import type { MeshArrays } from '../scene/protocol.ts';
+import { BufferAttribute, BufferGeometry, type InterleavedBufferAttribute, type Mesh, type Object3D } from 'three';
+import type { MeshArrays, MeshUpdate } from '../scene/protocol.ts';
 import { noTriangles } from './read.ts';
 
 /** A mesh to build, and the geometries that its groups replace. */
@@ -97,6 +97,37 @@ function arraysOf(geometries: readonly BufferGeometry[], isSmooth: boolean): Mes
     return { name, itemSize, normalized: false, values };
   });
   return { layers, groups, isSmooth: isSmooth && !layers.some(({ name }) => name === 'NORMAL') };
+}
+
+export function triangleCountOf({ groups }: MeshArrays): number {
+  return groups.reduce((sum, { length }) => sum + length / 3, 0);
+}
+
+/** A mesh as it is before it has levels, with smooth normals if it has none and none are flat. */
+export function inputOf(arrays: MeshArrays, mesh: number): MeshUpdate {
+  const { groups, isSmooth } = arrays;
+  const layers = [...arrays.layers];
+  const positions = layers.find(({ name }) => name === 'POSITION')!.values as Float32Array;
+  const indices = new Uint32Array(3 * triangleCountOf(arrays));
+  let at = 0;
+  for (const group of groups) {
+    indices.set(group, at);
+    at += group.length;
+  }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(positions, 3)).setIndex(new BufferAttribute(indices, 1));
+  geometry.computeBoundingBox();
+  const { min, max } = geometry.boundingBox!;
+  if (isSmooth) {
+    geometry.computeVertexNormals();
+    layers.push({ name: 'NORMAL', itemSize: 3, normalized: false, values: geometry.getAttribute('normal').array as Float32Array });
+  }
+  const [vertexCount, triangleCount] = [positions.length / 3, indices.length / 3];
+  return {
+    mesh, first: 0, layers, indices, groupCounts: Uint32Array.from(groups, ({ length }) => length / 3), numbers: undefined,
+    bounds: Float32Array.of(...min.toArray(), ...max.toArray()), vertexCount, fullVertexCount: vertexCount, triangleCount,
+    fullTriangleCount: triangleCount, splitCount: 0, stepCount: 0, error: 0, complete: false,
+  };
 }
 
 const ids = new WeakMap<object, number>();

@@ -1,14 +1,23 @@
-/** Builds levels for a file that three.js' loaders have read, and shows them in its meshes. */
+/**
+ * Builds levels for a file that three.js' loaders have read, and shows them in its meshes. Large files are shown before they have
+ * levels.
+ */
 
 import type { BufferGeometry, Mesh, MeshStandardMaterial } from 'three';
 import { connectSceneEngine, type EngineConnection } from '../connection.ts';
-import { aborted, fromPlain, type StriataError } from '../error.ts';
-import type { SceneOrder, SceneReport } from '../scene/protocol.ts';
+import { aborted, asStriataError, fromPlain, type StriataError } from '../error.ts';
+import type { SceneOrder, SceneReport, SceneState } from '../scene/protocol.ts';
 import { StriataScene } from '../scene/scene.ts';
 import type { SceneContext } from '../scene/scene-task.ts';
 import { builderModule } from '../wasm.ts';
-import { meshesOf, unitsOf, type Unit } from './arrays.ts';
+import { inputOf, meshesOf, triangleCountOf, unitsOf, type Unit } from './arrays.ts';
 import { noTriangles, type ReadFile } from './read.ts';
+
+/** Files with more triangles are shown before their levels are built, which takes seconds. */
+const MIN_SHOWN_FIRST = 200_000;
+
+/** State of a scene whose levels are being built. */
+const BUILDING: SceneState = { phase: 'build', complete: false, streamBytes: 0, decodeMs: 0, buildMs: 0, updateMs: 0 };
 
 /** Builds one scene. */
 export class BuildTask {
@@ -26,14 +35,12 @@ export class BuildTask {
     this.#byteCount = byteCount;
   }
 
-  /** Resolves when all levels have been built. */
+  /** Resolves when all levels have been built; with many triangles, as soon as these can be drawn. */
   async run(file: ReadFile): Promise<StriataScene> {
-    const { module, loader, options, download } = this.#context;
+    const { module, loader, options } = this.#context;
     const meshes = meshesOf(file.scenes);
     const units = unitsOf(meshes, keysOf(file), options.smooth ?? !file.gltf);
     if (units.length === 0 && !file.gltf) throw noTriangles();
-    const builder = await builderModule(loader);
-    if (download.signal.aborted) throw aborted();
     this.#engine = connectSceneEngine(module, loader.worker ?? true, (report) => this.#take(report, units));
     const scene = new StriataScene(units.map(({ geometries }) => geometries.length), 'mesh', {
       send: (order) => this.#engine?.send(order),
@@ -41,28 +48,47 @@ export class BuildTask {
       dispose: () => this.#engine?.dispose(),
     });
     this.#scene = scene;
+    if (units.reduce((sum, { arrays }) => sum + triangleCountOf(arrays), 0) > MIN_SHOWN_FIRST) {
+      scene.show(units.map(({ arrays }, unit) => inputOf(arrays, unit)), BUILDING, 0, false);
+      units.forEach((_, unit) => this.#built.add(unit));
+      this.#fill(scene, file, meshes, units);
+      // If levels cannot be built, the triangles stay.
+      this.#build(units).then(() => scene.end(), (thrown: unknown) => scene.end(asStriataError(thrown)));
+      return scene;
+    }
+    try {
+      await this.#build(units);
+    } catch (thrown) {
+      this.#engine.dispose();
+      throw thrown;
+    }
+    this.#fill(scene, file, meshes, units);
+    scene.end();
+    return scene;
+  }
+
+  /** Resolves when all levels have been built. */
+  async #build(units: readonly Unit[]): Promise<void> {
+    const { loader, download } = this.#context;
+    const builder = await builderModule(loader);
+    if (download.signal.aborted) throw aborted();
     const built = new Promise<void>((resolve, reject) => {
       this.#resolve = resolve;
       this.#reject = reject;
     });
     const abort = () => this.#reject(aborted());
     download.signal.addEventListener('abort', abort, { once: true });
-    this.#engine.send({ type: 'build', meshes: units.map(({ arrays }) => arrays), builder });
-    try {
-      await built;
-    } catch (thrown) {
-      this.#engine.dispose();
-      throw thrown;
-    } finally {
-      download.signal.removeEventListener('abort', abort);
-    }
+    this.#engine?.send({ type: 'build', meshes: units.map(({ arrays }) => arrays), builder });
+    await built.finally(() => download.signal.removeEventListener('abort', abort));
+  }
+
+  #fill(scene: StriataScene, file: ReadFile, meshes: readonly Mesh[], units: readonly Unit[]): void {
+    const { loader, options } = this.#context;
     scene.fill(file, this.#replaced(meshes, units));
     scene.name = options.name ?? '';
     const pixelError = loader.pixelError === undefined ? 1 : loader.pixelError;
     if (pixelError === null) scene.detail = 1;
     else scene.pixelError = pixelError;
-    scene.end();
-    return scene;
   }
 
   /** Gives meshes the geometries with levels. */
@@ -98,7 +124,6 @@ export class BuildTask {
         break;
       case 'failed':
         this.#reject(fromPlain(report.error));
-        scene.end(fromPlain(report.error));
         break;
       case 'solid':
         scene.becomeSolid();
