@@ -70,6 +70,22 @@ fn replayed(lod: &Lod, vertex_count: usize) -> Vec<Vec<[u32; 3]>> {
     groups.filter(|(_, full)| full.count > 0).map(|(g, _)| level.triangles[g.range()].to_vec()).collect()
 }
 
+/// Checks an extension against its schema.
+fn check_schema(order: &Value) {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/STRIATA_order.schema.json");
+    let schema: Value = serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
+    let has = |name: &str| order.get(name).is_some();
+    assert!(schema["required"].as_array().unwrap().iter().all(|name| has(name.as_str().unwrap())), "{order}");
+    assert_eq!(has("indices"), has("ranges"), "{order}");
+    for (name, value) in order.as_object().unwrap() {
+        let rules = &schema["properties"][name];
+        assert_eq!(rules["type"], if value.is_u64() { "integer" } else { "array" }, "{name}");
+        let columns = rules["items"]["prefixItems"].as_array().map_or(0, Vec::len);
+        let mut rows = value.as_array().into_iter().flatten();
+        assert!(rows.all(|row| row.as_array().is_some_and(|row| row.len() == columns)), "{name}: {value}");
+    }
+}
+
 /// Compares all levels of a file with the oracle; returns the number of levels.
 fn check(name: &str, lods: &LodScene, range_count: usize) -> usize {
     let glb = lods.to_ordered_glb(range_count).unwrap();
@@ -84,6 +100,7 @@ fn check(name: &str, lods: &LodScene, range_count: usize) -> usize {
         assert_eq!(reader.primitives(mesh).count(), full_groups.len(), "{name}");
         for (group, primitive) in reader.primitives(mesh).enumerate() {
             let order = &primitive["extensions"][ORDER_EXTENSION];
+            check_schema(order);
             let targets = reader.integers(&order["targets"]);
             let full = triangles(&reader.integers(&primitive["indices"]));
             assert_eq!(targets.len(), lod.mesh().vertex_count(), "{name}");

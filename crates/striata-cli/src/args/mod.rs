@@ -171,9 +171,8 @@ pub(crate) struct BaseArgs {
 #[command(
     override_usage = "striata build [OPTIONS] <INPUT>... [-o <OUT.striata|OUT.glb>]",
     after_help = "Examples:\n  \
-    striata build shape:torus -o torus.striata\n  \
-    striata build robot.gltf -o robot.glb --ranges 8\n  \
-    striata build scan.ply --models lodstrips,fans --base 500 --max-error 1%"
+    striata build scan.ply --models lodstrips,fans --base 500 --max-error 1%\n  \
+    striata build robot.gltf -o robot.glb --ranges 8"
 )]
 pub(crate) struct BuildArgs {
     /// Mesh or scene to read, - for stdin, or a built-in shape: shape:torus

@@ -44,7 +44,7 @@ pub(in crate::commands) fn check_order_flags(
     }
     if is_paged {
         return Err(Failure::user(format!("{name}: a paged file is a .striata file"))
-            .with_hint("use the extension .striata, or make an input that fits into memory"));
+            .with_hint("use the extension .striata"));
     }
     let sequence = &args.sequence;
     let removal = sequence.removal.first_given_flag();
