@@ -36,10 +36,10 @@ impl LodScene {
     /// [`WriteError`] if a mesh contains numbers that glTF cannot store, or the file would be larger than 4 GiB.
     pub fn to_ordered_glb(&self, range_count: usize) -> Result<OrderedGlb, WriteError> {
         let meshes = self.ordered(range_count);
-        let bytes = self.glb_of(&meshes, Contents::Ranges)?;
-        let plain_bytes = self.glb_of(&meshes, Contents::Plain)?.len();
+        let bytes = self.glb_of(&meshes, OrderContents::Ranges)?;
+        let plain_bytes = self.glb_of(&meshes, OrderContents::Plain)?.len();
         let ordered =
-            if range_count == 0 { bytes.len() } else { self.glb_of(&meshes, Contents::Order)?.len() };
+            if range_count == 0 { bytes.len() } else { self.glb_of(&meshes, OrderContents::Order)?.len() };
         Ok(OrderedGlb {
             plain_bytes,
             order_bytes: ordered - plain_bytes,
@@ -49,10 +49,10 @@ impl LodScene {
         })
     }
 
-    fn glb_of(&self, meshes: &[Option<OrderedMesh>], contents: Contents) -> Result<Vec<u8>, WriteError> {
+    fn glb_of(&self, meshes: &[Option<OrderedMesh>], contents: OrderContents) -> Result<Vec<u8>, WriteError> {
         let mut parts = self.scene().clone().into_parts();
         parts.meshes = vec![None; meshes.len()];
-        let mut additions = Additions::default();
+        let mut additions = OrderAdditions::default();
         for (index, mesh) in meshes.iter().enumerate() {
             if let Some(mesh) = mesh {
                 additions.put_mesh(&mut parts, index, mesh, contents);
@@ -78,9 +78,9 @@ impl LodScene {
     }
 }
 
-/// What of the extension is written.
+/// Parts of the extension that are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Contents {
+enum OrderContents {
     Plain,
     Order,
     Ranges,
@@ -88,20 +88,20 @@ enum Contents {
 
 /// Data of the extension, by pointers to the primitives.
 #[derive(Default)]
-struct Additions<'m> {
+struct OrderAdditions<'m> {
     numbers: Vec<(String, &'m [u32])>,
     /// Numbers of indices that primitives show, of those that they have.
     prefixes: Vec<(String, usize)>,
 }
 
-impl<'m> Additions<'m> {
+impl<'m> OrderAdditions<'m> {
     /// Puts a mesh into the parts of a scene, with its triangles or all of its index ranges, and describes it.
     fn put_mesh(
         &mut self,
         parts: &mut SceneParts,
         index: usize,
         ordered: &'m OrderedMesh,
-        contents: Contents,
+        contents: OrderContents,
     ) {
         let mut mesh = ordered.mesh.clone();
         let mut groups = mesh.groups_or_whole();
@@ -117,7 +117,7 @@ impl<'m> Additions<'m> {
                 return true;
             };
             let full = &ordered.mesh.triangles[group.range()];
-            let has_ranges = contents == Contents::Ranges && !levels.ranges.is_empty();
+            let has_ranges = contents == OrderContents::Ranges && !levels.ranges.is_empty();
             let shown = if has_ranges { levels.indices.as_chunks().0 } else { full };
             (group.first, group.count) = (mesh.triangles.len() as u32, shown.len() as u32);
             mesh.triangles.extend_from_slice(shown);
@@ -127,7 +127,7 @@ impl<'m> Additions<'m> {
             }
             let pointer = format!("/meshes/{index}/primitives/{place}");
             place += 1;
-            if contents == Contents::Plain {
+            if contents == OrderContents::Plain {
                 return true;
             }
             let Some(slot) = extension_slot(primitive, ORDER_EXTENSION) else { return true };

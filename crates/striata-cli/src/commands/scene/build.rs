@@ -42,7 +42,7 @@ struct SceneBuildReport {
     shortfall: Option<String>,
     image_bytes: usize,
     output_bytes: usize,
-    /// What makes levels of a glTF file.
+    /// Order of a glTF file; absent for other files.
     #[serde(flatten)]
     order: Option<OrderReport>,
     phases: Phases,

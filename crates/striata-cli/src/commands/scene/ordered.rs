@@ -76,7 +76,7 @@ pub(super) fn ordered_input(input: &Input, args: &BuildArgs, output: &Output) ->
     Scene::from_mesh(shaded(&mesh).into_owned()).map_err(failed)
 }
 
-/// What the order of a file takes, and the levels of its primitives.
+/// Bytes that the order of a file takes, and the levels of its primitives.
 #[derive(Serialize)]
 pub(super) struct OrderReport {
     /// Size of the file without the extension.
