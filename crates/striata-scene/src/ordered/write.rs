@@ -117,7 +117,8 @@ impl<'m> OrderAdditions<'m> {
                 return true;
             };
             let full = &ordered.mesh.triangles[group.range()];
-            let has_ranges = contents == OrderContents::Ranges && !levels.ranges.is_empty();
+            let has_place = primitive.get("extensions").is_none_or(Value::is_object);
+            let has_ranges = contents == OrderContents::Ranges && has_place && !levels.ranges.is_empty();
             let shown = if has_ranges { levels.indices.as_chunks().0 } else { full };
             (group.first, group.count) = (mesh.triangles.len() as u32, shown.len() as u32);
             mesh.triangles.extend_from_slice(shown);
