@@ -14,7 +14,7 @@ use crate::steps::{cargo, run, say};
 use crate::{target_folder, workspace};
 
 /// Commands that write GLB files of the input `IN`; `{}` is a name in the scratch folder without extension.
-const LINES: [&[&str]; 9] = [
+const LINES: [&[&str]; 10] = [
     &["convert IN {}.glb"],
     &["convert IN {}.glb --meshopt"],
     &["convert IN {}.glb --quantize --dedup --resample"],
@@ -24,6 +24,7 @@ const LINES: [&[&str]; 9] = [
     &["build IN -o {}.striata", "extract {}.striata -o {}.glb --ratio .5"],
     &["encode IN -o {}.stri", "decode {}.stri -o {}.glb"],
     &["encode IN -o {}.glb"],
+    &["build IN -o {}.glb --ranges 3"],
 ];
 
 /// Arguments of `cargo xtask gltf`.

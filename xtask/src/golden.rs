@@ -1,4 +1,5 @@
-//! Runs the demo and checks its files; all GLB files are checked with the glTF validator of Khronos.
+//! Runs the demo and checks its files; all GLB files are checked with the glTF validator of Khronos, and the levels of an
+//! ordered one with the reader of the examples.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -27,13 +28,14 @@ const STRIPPED: [&str; 2] = ["crates/striata-cli/assets/nefertiti.ply.zst", "ass
 
 /// A skinned, animated and textured scene, and what is made of it; `{}` is the folder of the outputs.
 const SCENE: &str = "assets/arm.glb";
-const SCENE_OUTPUTS: [&str; 8] = [
+const SCENE_OUTPUTS: [&str; 9] = [
     "convert SCENE {}/scene.glb",
     "convert SCENE {}/scene-quantized.glb --quantize --texture-max 100",
     "convert SCENE {}/scene-meshopt.glb --meshopt --texture-format webp",
     "convert SCENE {}/scene-draco.glb --draco --texture-format jpeg",
     "simplify SCENE -o {}/scene-{}.glb --levels 50%,1%",
     "simplify SCENE -o {}/scene-chain.glb --levels 50%,1% --lod-chain",
+    "build SCENE -o {}/scene-ordered.glb --ranges 8",
     "encode SCENE -o {}/scene-streams.glb",
     "convert {}/scene-streams.glb {}/scene-decoded.glb",
 ];
@@ -71,6 +73,8 @@ pub(crate) fn run() -> Result<()> {
     let mut arguments = vec![OsString::from("validate.mjs")];
     arguments.append(&mut scenes);
     machine::node(&validator, &arguments)?;
+    let ordered = folder.join("scene-ordered.glb").into_os_string();
+    machine::node(&workspace().join("examples/ordered-glb"), &[OsString::from("check.mjs"), ordered])?;
     machine::remove_folder(&folder)
 }
 

@@ -177,7 +177,7 @@ pub use compressed::decompressed;
 pub use error::{Place, ReadError, WriteError};
 pub use format::Format;
 #[cfg(feature = "gltf")]
-pub use gltf::{ExtensionUse, extension_use, known_extensions};
+pub use gltf::{ExtensionUse, extension_use, known_extensions, shaded};
 #[cfg(feature = "gltf")]
 pub use gltf_json::texcoord_scale;
 #[cfg(not(target_family = "wasm"))]

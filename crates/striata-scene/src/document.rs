@@ -12,6 +12,13 @@ pub(crate) fn index(value: &Value, key: &str) -> Option<usize> {
     usize::try_from(value.get(key)?.as_u64()?).ok()
 }
 
+/// Whether a primitive of a mesh consists of triangles.
+pub(crate) fn has_triangles(primitive: &Value) -> bool {
+    let mode = primitive.get("mode").map_or(Some(4), Value::as_u64);
+    let has_positions = primitive.pointer("/attributes/POSITION").is_some();
+    has_positions && matches!(mode, Some(4..=6))
+}
+
 /// Returns the place of an extension in an object of the document, which is created if it is missing;
 /// [`None`] if the value is not an object, or its extensions are not.
 pub(crate) fn extension_slot<'v>(object: &'v mut Value, extension: &str) -> Option<&'v mut Value> {

@@ -10,6 +10,7 @@
 //! | [`mod@file`] | `.striata` files of scenes |
 //! | [`glb_stream`] | GLB files that open everywhere and contain all levels |
 //! | [`mod@lod_chain`] | glTF files with several levels that engines switch between |
+//! | [`ordered`] | vertices in refinement order, with a table of levels and index ranges; glTF files that carry both |
 //! | `view` | levels of a scene for a camera; `place` says how large errors of an instance appear |
 //! | `scene_view` | triangles for renderers, frame after frame |
 //! | [`stream`] | a scene as one progressive stream |
@@ -27,6 +28,7 @@ mod levels;
 pub mod lod_chain;
 mod lod_scene;
 mod mesh_simplifier;
+pub mod ordered;
 mod place;
 mod pose;
 mod scene_view;
@@ -43,6 +45,7 @@ pub use glb_stream::{GlbStreamOptions, read_glb_with_stream, read_glb_with_strea
 pub use levels::{MeshWeight, SceneLevel, SceneLevels};
 pub use lod_chain::{LodChainOptions, lod_chain};
 pub use lod_scene::{FittedMeshes, Fitting, LodScene};
+pub use ordered::{OrderedGlb, OrderedMesh};
 pub use pose::{Pose, Poser};
 pub use scene_view::{SceneView, ShownIndices};
 pub use single_mesh::scene_around;

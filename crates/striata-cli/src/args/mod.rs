@@ -169,10 +169,10 @@ pub(crate) struct BaseArgs {
 /// Arguments of `build`.
 #[derive(Debug, Args)]
 #[command(
-    override_usage = "striata build [OPTIONS] <INPUT>... [-o <OUT.striata>]",
+    override_usage = "striata build [OPTIONS] <INPUT>... [-o <OUT.striata|OUT.glb>]",
     after_help = "Examples:\n  \
-    striata build shape:torus -o torus.striata\n  \
-    striata build scan.ply --models lodstrips,fans --base 500 --max-error 1%"
+    striata build scan.ply --models lodstrips,fans --base 500 --max-error 1%\n  \
+    striata build robot.gltf -o robot.glb --ranges 8"
 )]
 pub(crate) struct BuildArgs {
     /// Mesh or scene to read, - for stdin, or a built-in shape: shape:torus
@@ -180,12 +180,16 @@ pub(crate) struct BuildArgs {
     /// More files of the same mesh, for a paged file
     #[arg(value_name = "MORE")]
     pub more: Vec<PathBuf>,
-    /// File to write, or - for stdout [default: the input with extension .striata]
+    /// File to write, or - for stdout [default: the input with extension .striata]. A .glb is a plain glTF file at full
+    /// detail, with vertices in refinement order and what makes levels of it (STRIATA_order)
     #[arg(short, long, value_name = "OUT.striata")]
     pub output: Option<PathBuf>,
     /// Let the output replace the input
     #[arg(long)]
     pub force: bool,
+    /// For .glb: also store the first N levels as index ranges, each with half of the triangles of the one before
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub ranges: Option<u32>,
     /// Models to store: lodstrips (strips; small, fast), mts (strips rebuilt at each level), fans (for views;
     /// else `extract --eye` builds them), patterns (for views and boxes, with any --order), progressive
     /// (stream)

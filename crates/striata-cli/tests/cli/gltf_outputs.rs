@@ -7,7 +7,7 @@ use striata_testing::scenes;
 use crate::workbench::Workbench;
 
 /// Commands that write a GLB of the scene `in.glb`, each with what it prepares before.
-const LINES: [&[&str]; 10] = [
+const LINES: [&[&str]; 11] = [
     &["convert in.glb out.glb"],
     &["convert in.glb out.glb --meshopt"],
     &["convert in.glb out.glb --quantize --dedup --resample"],
@@ -18,6 +18,7 @@ const LINES: [&[&str]; 10] = [
     &["build in.glb -o in.striata", "extract in.striata -o out.glb --ratio .5"],
     &["encode in.glb -o in.stri", "decode in.stri -o out.glb"],
     &["encode in.glb -o streams.glb", "convert streams.glb out.glb"],
+    &["build in.glb -o out.glb --ranges 3"],
 ];
 
 /// Counts that may change: the scene, a word of the command, and the name of the count.

@@ -10,6 +10,7 @@ mod guides;
 mod help;
 mod inputs;
 mod levels;
+mod ordered;
 mod orders;
 mod outputs;
 mod paged;

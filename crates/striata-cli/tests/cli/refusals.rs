@@ -174,7 +174,7 @@ fn errors_about_unknown_names_list_the_known_ones() {
 fn the_wrong_kind_of_file_is_explained() {
     let bench = Workbench::with_ball();
     assert!(bench.refused("extract sphere.obj -o x.ply --detail 1").contains("striata build"));
-    assert!(bench.refused("build sphere.obj -o x.glb").contains("striata simplify"));
+    assert!(bench.refused("build sphere.obj -o x.stl").contains("striata simplify"));
     assert!(bench.refused("convert sphere.obj x.striata").contains("striata build"));
     assert!(bench.refused("convert sphere.obj x.docx").contains("--to"));
     assert!(bench.refused("extract ball.striata -o x.ply --detail 1 --as strips").contains("strips"));

@@ -99,6 +99,7 @@ pub(crate) use files::GltfContainer;
 pub(crate) use importance::usable as usable_importance;
 pub(crate) use references::{entries, has_triangles};
 pub(crate) use semantics::target_of;
+pub use shading::shaded;
 pub(crate) use shown_meshes::shown_meshes;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub(crate) use vertex_pieces::VertexPieces;

@@ -24,6 +24,8 @@ pub(super) enum Use {
     BindMatrices,
     /// Times or values of an animation.
     Animation,
+    /// Collapse targets of vertices.
+    Targets,
 }
 
 /// Receives each reference; it may change them.
@@ -93,6 +95,8 @@ pub(super) fn of_primitive<E>(primitive: &mut Value, visit: &mut Visit<'_, E>) -
     for (extension, key, referent) in [
         ("KHR_draco_mesh_compression", "bufferView", Referent::View),
         ("CESIUM_primitive_outline", "indices", Referent::Accessor(Use::Indices)),
+        ("STRIATA_order", "indices", Referent::Accessor(Use::Indices)),
+        ("STRIATA_order", "targets", Referent::Accessor(Use::Targets)),
     ] {
         if let Some(extension) = primitive.pointer_mut(&format!("/extensions/{extension}")) {
             of_member(extension, key, referent, visit)?;

@@ -8,8 +8,9 @@ use std::borrow::Cow;
 use serde_json::json;
 use striata::mesh::{IndexedMesh, Material, PositionEdges, Semantic, TriangleGroup};
 
-/// Returns the mesh with normals, if it has none, and with a material, if it has none.
-pub(super) fn shaded(mesh: &IndexedMesh) -> Cow<'_, IndexedMesh> {
+/// Returns the mesh with smooth normals up to creases of 50 degrees, if it has none, and with a matte material, if it
+/// has none: what [`WriteOptions::shading`](crate::WriteOptions::shading) writes. Vertices at creases are divided.
+pub fn shaded(mesh: &IndexedMesh) -> Cow<'_, IndexedMesh> {
     let has_normals = mesh.layers.iter().any(|layer| layer.semantic == Semantic::Normal);
     let has_materials = !mesh.appearance.materials.is_empty();
     if mesh.triangles.is_empty() || has_normals && has_materials {

@@ -13,6 +13,7 @@ use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 use striata::strip::cache_order;
 
 use super::builder::GltfBuilder;
+use super::component_type::GltfComponentType;
 use super::files::GltfContainer;
 use super::passes::GltfParts;
 use super::references::{entries, has_triangles};
@@ -20,8 +21,8 @@ use super::semantics::{semantic, semantic_in_target};
 use super::vertex_pools::{Pool, pools};
 use super::write::insert;
 use super::write_layers::{SharedAttributes, attributes};
-use crate::cache_order::with_triangles_in_cache_order;
 use crate::error::Refusal;
+use crate::scene::IndexPrefix;
 use crate::{SceneWriter, WriteOptions};
 
 /// Encodes a scene as a glTF file, quantized and compressed as the options say.
@@ -54,15 +55,14 @@ fn document(
     let builder = GltfBuilder::continuing(scene.buffer().to_vec(), views, accessors);
     let mut builder = builder.with_image_uris(image_uris);
     put_meshes(&mut builder, &mut root, writer, options.has_cache_order())?;
+    put_numbers(&mut builder, &mut root, writer)?;
     for (index, (entry, image)) in entries(&mut root, "images").zip(scene.images()).enumerate() {
         builder.image_source(index, image, entry);
     }
     // Equal data, such as the streams of equal meshes, are attached once.
     let mut view_of: HashMap<&[u8], usize> = HashMap::new();
     for (pointer, bytes) in &writer.attachments {
-        let Some(reference) = root.pointer_mut(pointer) else {
-            return Err(Refusal::BadMesh(format!("the document has no value at {pointer}")));
-        };
+        let reference = value_at(&mut root, pointer)?;
         let view = *view_of.entry(bytes).or_insert_with(|| builder.push_view(bytes, None, None));
         *reference = json!(view);
     }
@@ -76,6 +76,44 @@ fn document(
         insert(&mut root, "buffers", vec![json!({ "byteLength": builder.binary.len() })]);
     }
     Ok(GltfParts { root: Value::Object(root), binary: builder.binary })
+}
+
+fn value_at<'v>(root: &'v mut Value, pointer: &str) -> Result<&'v mut Value, Refusal> {
+    let missing = || Refusal::BadMesh(format!("the document has no value at {pointer}"));
+    root.pointer_mut(pointer).ok_or_else(missing)
+}
+
+/// Adds the accessors of numbers, and makes primitives show only the first of their indices.
+fn put_numbers(builder: &mut GltfBuilder, root: &mut Value, writer: &SceneWriter<'_>) -> Result<(), Refusal> {
+    let mut accessor_of: HashMap<&[u32], usize> = HashMap::new();
+    for (pointer, numbers) in &writer.numbers {
+        let reference = value_at(root, pointer)?;
+        let accessor = *accessor_of.entry(numbers).or_insert_with(|| {
+            let view = builder.push_view(bytemuck::cast_slice(numbers), None, None);
+            let component = GltfComponentType::U32.number();
+            let count = numbers.len();
+            let accessor =
+                json!({ "bufferView": view, "componentType": component, "count": count, "type": "SCALAR" });
+            builder.push_accessor(accessor)
+        });
+        *reference = json!(accessor);
+    }
+    let mut shown_of: BTreeMap<(usize, usize), usize> = BTreeMap::new();
+    for IndexPrefix { primitive, count, all } in &writer.prefixes {
+        let indices = value_at(root, &format!("{primitive}/indices"))?;
+        let whole = indices.as_u64().map_or(usize::MAX, |index| index as usize);
+        let Some(accessor) = builder.accessors.get(whole).cloned() else {
+            return Err(Refusal::BadMesh(format!("{primitive} shows nothing")));
+        };
+        let shown = *shown_of.entry((whole, *count)).or_insert_with(|| {
+            let mut accessor = accessor;
+            accessor["count"] = json!(count);
+            builder.push_accessor(accessor)
+        });
+        *indices = json!(shown);
+        *value_at(root, all)? = json!(whole);
+    }
+    Ok(())
 }
 
 /// Meshes that were written, so that equal ones have the same accessors.
@@ -108,9 +146,9 @@ impl<'m> WrittenMeshes<'m> {
     }
 }
 
-/// Finds vertices that meshes have in common; none if other levels of a mesh refer to its vertices.
+/// Finds vertices that meshes have in common; none if levels of a mesh refer to its vertices.
 fn pools_of(writer: &SceneWriter<'_>, meshes: &[Option<IndexedMesh>]) -> Vec<Pool> {
-    if !writer.shared.is_empty() {
+    if writer.has_fixed_vertices() {
         return Vec::new();
     }
     let meshes = meshes.iter().enumerate();
@@ -121,32 +159,13 @@ fn pools_of(writer: &SceneWriter<'_>, meshes: &[Option<IndexedMesh>]) -> Vec<Poo
     pools(&different)
 }
 
-/// Returns for each triangle primitive of a mesh whether it is blended, with any of its materials, so that the order of
-/// its triangles is the order in which they are drawn over each other.
-fn are_blended(document: &Value, mesh: usize) -> Vec<bool> {
-    let is_blended = |material: &Value| {
-        let material = document.pointer(&format!("/materials/{material}"));
-        material.and_then(|material| material.get("alphaMode")).is_some_and(|mode| mode == "BLEND")
-    };
-    let primitives = document.pointer(&format!("/meshes/{mesh}/primitives")).and_then(Value::as_array);
-    let with_triangles = primitives.into_iter().flatten().filter(|primitive| has_triangles(primitive));
-    let any_is_blended = |primitive: &Value| {
-        let variants =
-            primitive.pointer("/extensions/KHR_materials_variants/mappings").and_then(Value::as_array);
-        let variants = variants.into_iter().flatten().filter_map(|variant| variant.get("material"));
-        primitive.get("material").into_iter().chain(variants).any(is_blended)
-    };
-    with_triangles.map(any_is_blended).collect()
-}
-
 /// Returns the meshes with their triangles in cache order, and their vertices too unless other levels use them.
 fn in_cache_order(writer: &SceneWriter<'_>) -> Vec<Option<IndexedMesh>> {
-    let ordered = |(index, mesh): (usize, &Option<IndexedMesh>)| {
-        let are_blended = are_blended(writer.scene.document(), index);
-        let mesh = with_triangles_in_cache_order(mesh.as_ref()?, |group| are_blended[group]);
-        Some(if writer.shared.is_empty() { mesh.with_vertices_by_first_use() } else { mesh })
-    };
-    writer.scene.meshes().iter().enumerate().map(ordered).collect()
+    let meshes = writer.scene.meshes_in_cache_order().into_iter();
+    if writer.has_fixed_vertices() {
+        return meshes.collect();
+    }
+    meshes.map(|mesh| Some(mesh?.with_vertices_by_first_use())).collect()
 }
 
 /// Puts the triangles of index lists into cache order.
@@ -234,7 +253,7 @@ fn put_meshes(
         }
         let mut lists = shared.index_lists.clone();
         if is_sorted {
-            sort_lists(&mut lists, &are_blended(writer.scene.document(), index));
+            sort_lists(&mut lists, &writer.scene.are_blended(index));
         }
         let indices = builder.push_indices(lists.iter().map(Vec::as_slice), vertex_count);
         put_primitives(primitives, indices, found);

@@ -43,12 +43,14 @@ pub use read::read_scene_bytes;
 pub use write::{encode_scene, scene_to_bytes};
 #[cfg(not(target_family = "wasm"))]
 pub use write::{write_scene, write_scene_with_report};
+pub(crate) use writer::IndexPrefix;
 pub use writer::{SceneWriter, SharedMesh};
 
 use serde_json::Value;
 use striata::mesh::{Bounds, Image, IndexedMesh};
 
 use crate::Warning;
+use crate::cache_order::with_triangles_in_cache_order;
 use crate::gltf::{has_triangles, shown_meshes};
 
 /// A glTF document with its triangle meshes and images apart.
@@ -195,6 +197,33 @@ impl Scene {
         let with_triangles = primitives.into_iter().flatten().filter(|primitive| has_triangles(primitive));
         let material = |primitive: &Value| primitive.get("material")?.as_u64()?.try_into().ok();
         with_triangles.map(material).collect()
+    }
+
+    /// Whether each triangle primitive of a glTF mesh is blended, with any of its materials, so that the order of its
+    /// triangles is the order in which they are drawn over each other. Empty if there is no such mesh.
+    pub fn are_blended(&self, mesh: usize) -> Vec<bool> {
+        let is_blended = |material: &Value| {
+            let material = self.document.pointer(&format!("/materials/{material}"));
+            material.and_then(|material| material.get("alphaMode")).is_some_and(|mode| mode == "BLEND")
+        };
+        let primitives = self.mesh_entry(mesh).and_then(|entry| entry.get("primitives")?.as_array());
+        let with_triangles = primitives.into_iter().flatten().filter(|primitive| has_triangles(primitive));
+        let any_is_blended = |primitive: &Value| {
+            let variants =
+                primitive.pointer("/extensions/KHR_materials_variants/mappings").and_then(Value::as_array);
+            let variants = variants.into_iter().flatten().filter_map(|variant| variant.get("material"));
+            primitive.get("material").into_iter().chain(variants).any(is_blended)
+        };
+        with_triangles.map(any_is_blended).collect()
+    }
+
+    /// Returns the meshes with the triangles of each group in cache order; groups that are blended keep theirs.
+    pub fn meshes_in_cache_order(&self) -> Vec<Option<IndexedMesh>> {
+        let ordered = |(index, mesh): (usize, &Option<IndexedMesh>)| {
+            let are_blended = self.are_blended(index);
+            Some(with_triangles_in_cache_order(mesh.as_ref()?, |group| are_blended[group]))
+        };
+        self.meshes.iter().enumerate().map(ordered).collect()
     }
 
     fn mesh_entry(&self, mesh: usize) -> Option<&Value> {

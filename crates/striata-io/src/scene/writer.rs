@@ -46,6 +46,15 @@ impl SharedMesh {
     }
 }
 
+/// Primitive that shows the first of its indices only.
+#[derive(Clone, Debug)]
+pub(crate) struct IndexPrefix {
+    pub primitive: String,
+    pub count: usize,
+    /// Pointer to the place of the accessor of all indices.
+    pub all: String,
+}
+
 /// Writes a scene as glTF or GLB, with additions.
 ///
 /// The binary data consist of the scene's own buffer, vertices and indices, then images, then attachments.
@@ -54,6 +63,10 @@ pub struct SceneWriter<'a> {
     pub(crate) scene: &'a Scene,
     pub(crate) shared: BTreeMap<usize, SharedMesh>,
     pub(crate) keeps_primitives: bool,
+    pub(crate) keeps_vertices: bool,
+    /// JSON pointers with their numbers.
+    pub(crate) numbers: Vec<(String, Cow<'a, [u32]>)>,
+    pub(crate) prefixes: Vec<IndexPrefix>,
     /// JSON pointers with their data.
     pub(crate) attachments: Vec<(String, Cow<'a, [u8]>)>,
 }
@@ -61,7 +74,15 @@ pub struct SceneWriter<'a> {
 impl<'a> SceneWriter<'a> {
     /// Creates a writer without additions.
     pub fn new(scene: &'a Scene) -> Self {
-        Self { scene, shared: BTreeMap::new(), keeps_primitives: false, attachments: Vec::new() }
+        Self {
+            scene,
+            shared: BTreeMap::new(),
+            keeps_primitives: false,
+            keeps_vertices: false,
+            numbers: Vec::new(),
+            prefixes: Vec::new(),
+            attachments: Vec::new(),
+        }
     }
 
     /// Draws an entry of `meshes` for which the scene has no triangles over the vertices of another entry.
@@ -76,6 +97,39 @@ impl<'a> SceneWriter<'a> {
     #[must_use]
     pub fn keeping_primitives(self) -> Self {
         Self { keeps_primitives: true, ..self }
+    }
+
+    /// Gives each mesh all of its vertices in their order, even if other meshes have some of them, or if another order
+    /// would be better for caches.
+    #[must_use]
+    pub fn keeping_vertices(self) -> Self {
+        Self { keeps_vertices: true, ..self }
+    }
+
+    /// Whether something refers to vertices by their numbers.
+    pub(crate) fn has_fixed_vertices(&self) -> bool {
+        self.keeps_vertices || !self.shared.is_empty()
+    }
+
+    /// Adds an accessor of unsigned 32-bit integers, and sets the value at a JSON pointer of the document, which must
+    /// exist, to its index. Equal lists are stored once.
+    #[must_use]
+    pub fn with_numbers(mut self, pointer: impl Into<String>, numbers: impl Into<Cow<'a, [u32]>>) -> Self {
+        self.numbers.push((pointer.into(), numbers.into()));
+        self
+    }
+
+    /// Shows only the first `count` indices of the primitive at a JSON pointer, and sets the value at the pointer
+    /// `all` to an accessor of all of them.
+    #[must_use]
+    pub fn with_index_prefix(
+        mut self,
+        primitive: impl Into<String>,
+        count: usize,
+        all: impl Into<String>,
+    ) -> Self {
+        self.prefixes.push(IndexPrefix { primitive: primitive.into(), count, all: all.into() });
+        self
     }
 
     /// Adds a buffer view with these bytes, and sets the value at a JSON pointer of the document (such as

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::document::{entries, index};
+use crate::document::{entries, has_triangles, index};
 
 /// The entry of an array that a member refers to by its index.
 pub(super) fn referred<'v>(
@@ -18,9 +18,5 @@ pub(super) fn referred<'v>(
 pub(super) fn triangle_primitives(document: &Value, mesh: usize) -> impl Iterator<Item = &Value> {
     let primitives =
         entries(document, "meshes").get(mesh).map_or(&[][..], |mesh| entries(mesh, "primitives"));
-    primitives.iter().filter(|primitive| {
-        let mode = primitive.get("mode").map_or(Some(4), Value::as_u64);
-        let has_positions = primitive.pointer("/attributes/POSITION").is_some();
-        has_positions && matches!(mode, Some(4..=6))
-    })
+    primitives.iter().filter(|primitive| has_triangles(primitive))
 }

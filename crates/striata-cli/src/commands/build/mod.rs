@@ -31,6 +31,7 @@ use striata_command::save::{
 };
 use striata_command::scene::with_mesh_textures;
 use striata_command::sequence::{Limits, SequencePlan, limit_in_units};
+use striata_io::Format;
 
 /// Reads the mesh, builds and writes the file, and reports.
 ///
@@ -41,6 +42,8 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
         Some(path) => path.clone(),
         None => default_output_path(&args.input, "striata")?,
     };
+    let format = format_of_output(&path)?;
+    scene::check_order_flags(args, &path, format, is_paged(args))?;
     if is_paged(args) {
         let inputs: Vec<PathBuf> = std::iter::once(&args.input).chain(&args.more).cloned().collect();
         check_paged_flags(args)?;
@@ -51,13 +54,12 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     check_stream_flags(args, &models)?;
     check_strip_flags(args, &models)?;
     check_overlap_errors(args, &models)?;
-    check_output_name(&path)?;
     let mut phases = Phases::new(&PHASES);
     let mut bar = output.bar();
     phases.enter("read");
     bar.phase("read");
     let input = Input::open(&args.input)?;
-    if input.scene_kind().is_some() && !args.scene.flat {
+    if format == Format::Glb || input.scene_kind().is_some() && !args.scene.flat {
         drop(bar);
         return scene::build(args, &input, &path, output);
     }
@@ -248,15 +250,16 @@ fn check_strip_flags(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failu
     }
 }
 
-/// Checks that the extension of the output does not belong to another format.
+/// Returns the format that the name of the output requests.
 ///
 /// # Errors
-/// If it does, or if it is the extension of a compressed file.
-fn check_output_name(path: &Path) -> Result<(), Failure> {
-    check_not_compressed(path, ".striata files")?;
-    match striata_io::Format::from_extension(path) {
-        None | Some(striata_io::Format::Striata) => Ok(()),
-        Some(_) => Err(Failure::user(format!("{}: `build` writes .striata files", path.display()))
+/// If the extension belongs to another format or to a compressed file.
+fn format_of_output(path: &Path) -> Result<Format, Failure> {
+    check_not_compressed(path, "files of `build`")?;
+    match Format::from_extension(path) {
+        None | Some(Format::Striata) => Ok(Format::Striata),
+        Some(Format::Glb) => Ok(Format::Glb),
+        Some(_) => Err(Failure::user(format!("{}: `build` writes .striata and .glb files", path.display()))
             .with_hint("`striata simplify` writes one level as a mesh")),
     }
 }

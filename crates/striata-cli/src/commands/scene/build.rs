@@ -1,5 +1,7 @@
-//! `build` for scenes: a `.striata` file with the document, its images, and the levels of every mesh.
+//! `build` for scenes: a `.striata` file with the document, its images, and the levels of every mesh, or a glTF file with
+//! its vertices in refinement order.
 
+use std::fmt::Display;
 use std::path::Path;
 
 use serde::Serialize;
@@ -15,8 +17,10 @@ use striata_command::output::{
 use striata_command::save::{DEFAULT_NAME_NOTE, display_name, write_bytes};
 use striata_command::scene::{build_scene, check_scene_flags, edited, with_textures};
 use striata_command::sequence::{Limits, StepKind, limit_in_units};
+use striata_io::Format;
 use striata_scene::LodScene;
 
+use super::ordered::{OrderReport, model_flags, ordered_input};
 use crate::args::BuildArgs;
 
 /// Phases whose times are reported.
@@ -38,6 +42,9 @@ struct SceneBuildReport {
     shortfall: Option<String>,
     image_bytes: usize,
     output_bytes: usize,
+    /// Order of a glTF file; absent for other files.
+    #[serde(flatten)]
+    order: Option<OrderReport>,
     phases: Phases,
     secs: f64,
     peak_rss_bytes: Option<u64>,
@@ -53,23 +60,14 @@ pub(in crate::commands) fn build(
     path: &Path,
     output: &Output,
 ) -> Result<(), Failure> {
-    let names = args.model_names();
-    let strip_flag = args.strip_flag();
-    let stream_flag = args.stream_encoding.first_given_flag();
-    check_scene_flags(
-        input,
-        &[
-            ("--stream", args.is_stream()),
-            ("--models", names != ["lodstrips"]),
-            (strip_flag.unwrap_or_default(), strip_flag.is_some()),
-            (stream_flag.unwrap_or_default(), stream_flag.is_some()),
-        ],
-    )?;
+    check_scene_flags(input, &model_flags(args))?;
+    let is_ordered = Format::from_extension(path) == Some(Format::Glb);
     let mut phases = Phases::new(&PHASES);
     let mut bar = output.bar();
     phases.enter("read");
     bar.phase("read");
-    let scene = edited(input.scene(output)?, &args.edits, false, output)?;
+    let scene = if is_ordered { ordered_input(input, args, output)? } else { input.scene(output)? };
+    let scene = edited(scene, &args.edits, false, output)?;
     let scene = with_textures(scene, args.textures.options().as_ref(), output)?;
     phases.enter("simplify");
     let base = args.limits.base.map(|count| count.of_triangles(scene.triangle_count()));
@@ -85,8 +83,15 @@ pub(in crate::commands) fn build(
     let options = WriteOptions::default()
         .with_metadata("creator", concat!("striata ", env!("CARGO_PKG_VERSION")))
         .with_metadata("source", input.file_name());
-    let bytes = lods.to_striata(&options);
-    let bytes = bytes.map_err(|error| Failure::user(format!("{}: {error}", input.name)))?;
+    let failed = |error: &dyn Display| Failure::user(format!("{}: {error}", input.name));
+    let (bytes, order) = if is_ordered {
+        let range_count = args.ranges.map_or(0, |count| count as usize);
+        let glb = lods.to_ordered_glb(range_count).map_err(|error| failed(&error))?;
+        let order = OrderReport::new(&glb, &lods);
+        (glb.bytes, Some(order))
+    } else {
+        (lods.to_striata(&options).map_err(|error| failed(&error))?, None)
+    };
     write_bytes(&bytes, path)?;
     phases.leave();
     drop(bar);
@@ -102,6 +107,7 @@ pub(in crate::commands) fn build(
         shortfall,
         image_bytes: scene.images().iter().map(|image| image.bytes.len()).sum(),
         output_bytes: bytes.len(),
+        order,
         secs: phases.total_secs(),
         phases,
         peak_rss_bytes: peak_rss_bytes(),
@@ -137,6 +143,9 @@ impl SceneBuildReport {
         row("error of coarsest level", format!("{} ({kind})", format_length(self.error_max)));
         row("images", format_bytes(self.image_bytes));
         let chosen = if is_default_name { DEFAULT_NAME_NOTE } else { "" };
+        if let Some(order) = &self.order {
+            order.rows(&mut row);
+        }
         row("file", format!("{} ({}){chosen}", self.path, format_bytes(self.output_bytes)));
         row("time", format_duration(self.secs));
         let mut text = table.to_text();

@@ -5,7 +5,9 @@
 mod build;
 mod encode;
 mod facts;
+mod ordered;
 
 pub(super) use build::build;
 pub(super) use encode::encode;
 pub(super) use facts::SceneFacts;
+pub(super) use ordered::check_order_flags;

@@ -1,0 +1,93 @@
+//! `build` with a GLB output: plain glTF files in refinement order.
+
+use serde_json::{Value, json};
+
+use crate::workbench::{Workbench, asset, sphere};
+
+fn arm() -> Workbench {
+    let bench = Workbench::new();
+    std::fs::copy(asset("arm.glb"), bench.path("arm.glb")).expect("the folder is ours");
+    bench
+}
+
+#[test]
+fn an_ordered_file_is_the_scene_with_the_tables_of_the_report() {
+    let bench = arm();
+    let report = bench.json("build arm.glb -o ordered.glb --ranges 4");
+    let number = |key: &str| report[key].as_u64().expect("a number") as usize;
+    assert_eq!(number("plain_bytes") + number("order_bytes") + number("range_bytes"), number("output_bytes"));
+    assert!(number("order_bytes") * 100 < number("plain_bytes") * 12, "{report}");
+    let bytes = bench.read("ordered.glb");
+    assert_eq!(bytes.len(), number("output_bytes"));
+    let length = u32::from_le_bytes(bytes[12..16].try_into().expect("four bytes")) as usize;
+    let document: Value = serde_json::from_slice(&bytes[20..20 + length]).expect("a document");
+    for (mesh, entry) in document["meshes"].as_array().expect("meshes").iter().enumerate() {
+        for (place, primitive) in entry["primitives"].as_array().expect("primitives").iter().enumerate() {
+            let order = &primitive["extensions"]["STRIATA_order"];
+            let tables = &report["meshes"][mesh]["primitives"][place];
+            assert_eq!((&order["levels"], &order["ranges"]), (&tables["levels"], &tables["ranges"]));
+            assert_eq!(tables["ranges"].as_array().map(Vec::len), Some(4));
+        }
+    }
+    let facts = |name: &str| bench.json(&format!("info {name}"));
+    let (plain, ordered) = (facts("arm.glb"), facts("ordered.glb"));
+    for key in ["triangle_count", "vertex_count", "diagonal"] {
+        assert_eq!(ordered[key], plain[key], "{key}");
+    }
+    assert_eq!(ordered["scene"]["node_count"], plain["scene"]["node_count"]);
+    // What a changed file would have wrong is left out, and said.
+    let converted = bench.json("convert ordered.glb again.glb");
+    assert!(converted["warnings"].to_string().contains("STRIATA_order"), "{converted}");
+    assert!(!String::from_utf8_lossy(&bench.read("again.glb")).contains("STRIATA_order"));
+}
+
+#[test]
+fn meshes_get_normals_a_material_and_a_coarsest_level() {
+    let bench = Workbench::new();
+    bench.write("ball.obj", sphere(20, 30));
+    let report = bench.json("build ball.obj -o ball.glb --base 100");
+    let levels = report["meshes"][0]["primitives"][0]["levels"].as_array().expect("levels").clone();
+    assert_eq!(levels[0][1], report["triangle_count"]);
+    let coarsest = levels[levels.len() - 1][1].as_u64().expect("a number");
+    assert!((1..=100).contains(&coarsest), "{levels:?}");
+    assert_eq!(
+        (&report["range_bytes"], report["meshes"][0]["primitives"][0].get("ranges")),
+        (&json!(0), None)
+    );
+    let text = String::from_utf8_lossy(&bench.read("ball.glb")).into_owned();
+    assert!(text.contains("NORMAL") && text.contains("pbrMetallicRoughness"));
+    let assert = bench.run("build ball.obj -o ball.glb").success();
+    let summary = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
+    assert!(summary.contains("(+") && summary.contains("% of the plain file)"), "{summary}");
+}
+
+#[test]
+fn the_file_of_the_python_tests_is_current() {
+    let bench = Workbench::new();
+    bench.run("build shape:moebius -o ordered.glb --ranges 4").success();
+    let known = asset("../crates/striata-py/tests/ordered.glb");
+    assert_eq!(bench.read("ordered.glb"), std::fs::read(known).expect("the file is in the repository"));
+}
+
+#[test]
+fn flags_of_the_other_format_are_refused_by_name() {
+    let bench = arm();
+    for (flags, name) in [
+        ("-o x.glb --models fans", "--models"),
+        ("-o x.glb --stream", "--stream"),
+        ("-o x.glb --strips greedy", "--strips"),
+        ("-o x.glb --bits 9", "--bits"),
+        ("-o x.glb --overlap-errors", "--overlap-errors"),
+        ("-o x.glb --order hausdorff", "--order"),
+        ("-o x.glb --retriangulation free", "--retriangulation"),
+        ("-o x.glb --paged", "paged"),
+        ("-o x.glb.gz", "already compressed"),
+        ("-o x.gltf", "`build` writes .striata and .glb files"),
+        ("-o x.striata --ranges 4", "--ranges is for .glb outputs"),
+        ("--ranges 4", "--ranges is for .glb outputs"),
+    ] {
+        let message = bench.refused(&format!("build arm.glb {flags}"));
+        assert!(message.contains(name) && message.contains("hint:"), "{flags}: {message}");
+    }
+    assert_eq!(bench.names(), ["arm.glb"]);
+}
