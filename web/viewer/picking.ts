@@ -5,16 +5,19 @@
 
 import {
   BufferAttribute, BufferGeometry, InstancedMesh, type Intersection, LineBasicMaterial, LineLoop, type Material, Matrix4, Mesh, type Object3D,
-  Raycaster, Vector2, Vector3,
+  Points, PointsMaterial, Raycaster, Vector2, Vector3,
 } from 'three';
 import type { StriataScene } from '../src/index.ts';
 import { announce, createNode, element, input, setVisible } from './dom.ts';
 import { formatCount } from './format.ts';
 import { HELPER_LAYER, type Stage } from './stage.ts';
-import { themeColor } from './theme.ts';
 
 /** A pointer that moves farther than this drags, CSS pixels. */
 const CLICK_PX = 5;
+
+/** The mark: a color that few models have, and the size of the dot at the vertex in pixels. */
+const MARK = { color: 0xe0218a, depthTest: false, transparent: true, toneMapped: false };
+const DOT_PX = 9;
 
 interface Picked {
   mesh: Mesh;
@@ -22,6 +25,8 @@ interface Picked {
   /** Number of the triangle in the list that is drawn. */
   triangle: number;
   corners: [number, number, number];
+  /** Which corner is the nearest. */
+  nearest: number;
   /** Which copy of the mesh it is, if there are several. */
   instance: number | undefined;
   /** Whether it is in the right part of a comparison. */
@@ -32,6 +37,7 @@ export class Picking {
   readonly #stage: Stage;
   readonly #model: () => StriataScene | null;
   readonly #mark: LineLoop<BufferGeometry, LineBasicMaterial>;
+  readonly #dot: Points<BufferGeometry, PointsMaterial>;
   #picked: Picked | null = null;
   #down: { x: number; y: number } | null = null;
 
@@ -39,9 +45,13 @@ export class Picking {
     this.#stage = stage;
     this.#model = model;
     const corners = new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(9), 3));
-    this.#mark = new LineLoop(corners, new LineBasicMaterial({ depthTest: false, toneMapped: false }));
-    this.#mark.layers.set(HELPER_LAYER);
-    this.#mark.frustumCulled = false;
+    this.#mark = new LineLoop(corners, new LineBasicMaterial(MARK));
+    this.#dot = new Points(new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(3), 3)), new PointsMaterial({ ...MARK, size: DOT_PX, sizeAttenuation: false }));
+    this.#mark.add(this.#dot);
+    for (const part of [this.#mark, this.#dot]) {
+      part.layers.set(HELPER_LAYER);
+      part.frustumCulled = false;
+    }
     this.#mark.visible = false;
     stage.scene.add(this.#mark);
     stage.beforeFrame.add(() => this.#follow());
@@ -95,9 +105,10 @@ export class Picking {
   #show(model: StriataScene, { object, face, faceIndex, instanceId, point }: Intersection, isSecond: boolean): void {
     const mesh = object as Mesh;
     const { a, b, c, materialIndex } = face!;
-    const picked: Picked = { mesh, geometry: mesh.geometry, triangle: faceIndex!, corners: [a, b, c], instance: instanceId, isSecond };
+    const picked: Picked = { mesh, geometry: mesh.geometry, triangle: faceIndex!, corners: [a, b, c], nearest: 0, instance: instanceId, isSecond };
     const corners = cornersOf(picked);
     const nearest = corners.reduce((best, corner, at) => (corner.distanceTo(point) < corners[best]!.distanceTo(point) ? at : best), 0);
+    picked.nearest = nearest;
     const rows: [string, string][] = [['Mesh', nameOf(mesh, model)]];
     const material = [mesh.material as Material | Material[]].flat()[materialIndex];
     // Triangles in colors have a material of the page and corners of their own, so that their vertices have no numbers.
@@ -109,9 +120,8 @@ export class Picking {
     rows.push(['Vertex at', pointText(model.worldToLocal(corners[nearest]!.clone()), diagonal)]);
     rows.push(['Point at', pointText(model.worldToLocal(point.clone()), diagonal)]);
     this.#picked = picked;
-    this.#mark.material.color.set(themeColor('--accent'));
     this.#mark.visible = true;
-    this.#place(corners);
+    this.#place(picked, corners);
     this.#list(rows);
     this.#stage.invalidate();
   }
@@ -136,15 +146,17 @@ export class Picking {
     const look = (): void => void (remains = isDrawn(picked));
     if (!picked.isSecond) look();
     else split?.showSecond(look);
-    if (remains) this.#place(cornersOf(picked));
+    if (remains) this.#place(picked, cornersOf(picked));
     else this.clear();
     return false;
   }
 
-  #place(corners: Vector3[]): void {
+  #place({ nearest }: Picked, corners: Vector3[]): void {
     const positions = this.#mark.geometry.getAttribute('position') as BufferAttribute;
     corners.forEach(({ x, y, z }, at) => positions.setXYZ(at, x, y, z));
-    positions.needsUpdate = true;
+    const dot = this.#dot.geometry.getAttribute('position') as BufferAttribute;
+    dot.setXYZ(0, ...(corners[nearest] ?? new Vector3()).toArray());
+    for (const attribute of [positions, dot]) attribute.needsUpdate = true;
   }
 }
 
