@@ -21,7 +21,7 @@ export class Sharing {
   readonly #viewer: Viewer;
   readonly #panel: Panel;
   #last: string | null = null;
-  /** Camera when the model began to turn. */
+  /** Camera when the model began to turn, or when the view was frozen. */
   #camera: ViewState['camera'] = null;
 
   constructor(viewer: Viewer, panel: Panel) {
@@ -39,6 +39,7 @@ export class Sharing {
     button.disabled = obstacle !== null;
     button.title = obstacle ?? COPY_TITLE;
     this.#last = null;
+    this.#camera = this.#poseOfUser();
   }
 
   /** Copies a link to what is shown now. */
@@ -72,9 +73,17 @@ export class Sharing {
   }
 
   #view(): ViewState {
-    const { framing, detail, playback, isFrozen } = this.#viewer;
-    const camera = framing.isUserControlled && !isFrozen ? framing.pose() : null;
-    return { camera, level: detail.choice, playback: playback.state, look: this.#panel.lookState() };
+    const { detail, playback, isFrozen } = this.#viewer;
+    return {
+      camera: isFrozen ? this.#camera : this.#poseOfUser(),
+      level: detail.choice, playback: playback.state, look: this.#panel.lookState(),
+    };
+  }
+
+  /** The camera, if it does not just frame the model. */
+  #poseOfUser(): ViewState['camera'] {
+    const { framing } = this.#viewer;
+    return framing.isUserControlled ? framing.pose() : null;
   }
 
   #settledView(): ViewState {
