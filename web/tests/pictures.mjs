@@ -36,7 +36,7 @@ async function watch(page, bytes) {
       pen.drawImage(video, 0, 0, 64, 64);
       return pen.getImageData(0, 0, 64, 64).data;
     };
-    const [first, middle] = [await pictureAt(0), await pictureAt(seconds / 3)];
+    const [first, middle] = [await pictureAt(0), await pictureAt(0.6 * seconds)];
     const change = first.filter((value, at) => Math.abs(value - middle[at]) > 16).length / first.length;
     return { seconds, change, width: video.videoWidth };
   }, bytes.toString('base64'));

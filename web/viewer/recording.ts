@@ -11,6 +11,9 @@ const SECONDS = 6;
 /** Share of a video of the detail after which the full model is shown. */
 const FULL_FROM = 0.85;
 
+/** How long the first level of a video is waited for. */
+const PATIENCE_MS = 2000;
+
 const FRAME_RATE = 30;
 const BITS_PER_SECOND = 12e6;
 
@@ -83,6 +86,7 @@ export class Recording {
     });
     const finish = this.#begin(motion);
     try {
+      if (motion === 'detail') await this.#coarsest(signal);
       recorder.start();
       await this.#play(motion, signal);
       if (recorder.state !== 'inactive') recorder.stop();
@@ -109,6 +113,17 @@ export class Recording {
       if (motion === 'turn') framing.moveTo(pose);
       else detail.restore(choice);
     };
+  }
+
+  /** Shows the coarsest level, which a video begins with. */
+  async #coarsest(signal: AbortSignal): Promise<void> {
+    const { stage, detail, model } = this.#viewer;
+    detail.restore({ mode: 'level', value: 0 });
+    const latest = performance.now() + PATIENCE_MS;
+    while (model && model.splitCount > 0 && !signal.aborted && performance.now() < latest) {
+      stage.invalidate();
+      await new Promise((resolve) => setTimeout(resolve, 1000 / FRAME_RATE));
+    }
   }
 
   /** Moves the stage for the length of a video. */
