@@ -7,7 +7,8 @@
 import type { StriataScene } from '../src/index.ts';
 import { formatCount, formatNumber, formatPercent } from './format.ts';
 import { element, input } from './dom.ts';
-import { budgetAt, detailAt, pixelsAt, positionOfBudget, positionOfDetail } from './scales.ts';
+import { budgetAt, detailAt, pixelsAt, positionOfBudget, positionOfDetail, positionOfPixels } from './scales.ts';
+import type { LevelChoice } from './view-state.ts';
 
 export type Mode = 'level' | 'pixels' | 'budget';
 
@@ -20,12 +21,14 @@ export class DetailControls {
   /** Whether view-dependent refinement is available, which is once the model has loaded completely. */
   #isViewAvailable = false;
   #budget: number | null = null;
+  /** What is to be chosen as soon as the model allows it. */
+  #wanted: LevelChoice | null = null;
 
   /** `onChange` is called after new settings were passed to the model. */
   constructor(onChange: () => void) {
     this.#onChange = onChange;
-    for (const radio of this.#radios()) radio.addEventListener('change', () => this.apply());
-    for (const id of ['detail', 'pixels']) input(id).addEventListener('input', () => this.apply());
+    for (const radio of this.#radios()) radio.addEventListener('change', () => this.#onChosen());
+    for (const id of ['detail', 'pixels']) input(id).addEventListener('input', () => this.#onChosen());
     input('budget').addEventListener('input', () => this.#onBudgetSlider());
     const typed = input('budget-typed');
     typed.addEventListener('change', () => this.#onBudgetTyped());
@@ -38,6 +41,24 @@ export class DetailControls {
 
   get mode(): Mode {
     return (this.#radios().find((radio) => radio.checked)?.value ?? 'level') as Mode;
+  }
+
+  /** How the level is chosen, or will be once the model has loaded; null if a model begins with it. */
+  get choice(): LevelChoice | null {
+    if (!this.#model || this.#wanted) return this.#wanted;
+    const { mode } = this;
+    if (mode === 'level') {
+      const value = detailAt(input('detail').valueAsNumber);
+      return value === 1 && this.#model.kind !== 'paged' ? null : { mode, value };
+    }
+    if (mode === 'pixels') return { mode, value: pixelsAt(input('pixels').valueAsNumber) };
+    return { mode, value: this.#budget ?? this.#model.fullTriangleCount };
+  }
+
+  /** Chooses the level, as soon as the model allows that; `null` is full detail. */
+  restore(choice: LevelChoice | null): void {
+    this.#wanted = choice ?? { mode: 'level', value: 1 };
+    if (this.#model) this.#fulfill(this.#model);
   }
 
   get isFrozen(): boolean {
@@ -78,14 +99,40 @@ export class DetailControls {
       this.#isViewAvailable = true;
       this.#select('pixels');
     }
-    if (this.mode === 'budget') this.#onBudgetSlider();
+    if (this.#wanted && model) this.#fulfill(model);
+    else if (this.mode === 'budget') this.#onBudgetSlider();
     else this.apply();
   }
 
   /** Enables view-dependent detail, after the model has loaded completely. */
   enableViews(): void {
     this.#isViewAvailable = true;
+    if (this.#wanted && this.#model) this.#fulfill(this.#model);
     this.#refresh();
+  }
+
+  /** Chooses what is wanted, if that is possible already. */
+  #fulfill(model: StriataScene): void {
+    const wanted = this.#wanted;
+    if (!wanted) return;
+    const { mode, value } = wanted;
+    if (mode === 'level') input('detail').value = String(positionOfDetail(value));
+    else if (mode === 'pixels') input('pixels').value = String(positionOfPixels(value));
+    else {
+      this.#budget = Math.min(value, model.fullTriangleCount);
+      input('budget').value = String(positionOfBudget(this.#budget, model.fullTriangleCount));
+    }
+    if (mode !== 'pixels' || this.#isViewAvailable) {
+      this.#wanted = null;
+      this.#select(mode);
+    }
+    this.apply();
+  }
+
+  /** The user's own choice replaces what was wanted. */
+  #onChosen(): void {
+    this.#wanted = null;
+    this.apply();
   }
 
   /** Passes the state of the inputs to the model. */
@@ -135,6 +182,7 @@ export class DetailControls {
   }
 
   #onBudgetSlider(): void {
+    this.#wanted = null;
     this.#budget = budgetAt(input('budget').valueAsNumber, this.#model?.fullTriangleCount ?? 0);
     input('budget-typed').value = String(this.#budget);
     this.apply();
@@ -145,6 +193,7 @@ export class DetailControls {
     const full = this.#model?.fullTriangleCount ?? 0;
     // An empty or invalid number means no limit.
     const requested = Number.isFinite(typed.valueAsNumber) && typed.valueAsNumber >= 1 ? Math.floor(typed.valueAsNumber) : full;
+    this.#wanted = null;
     this.#budget = Math.min(requested, full);
     typed.value = String(this.#budget);
     input('budget').value = String(positionOfBudget(this.#budget, full));
@@ -158,13 +207,6 @@ export class DetailControls {
   #radios(): HTMLInputElement[] {
     return [...document.querySelectorAll<HTMLInputElement>('input[name="mode"]')];
   }
-}
-
-/** Sets the detail slider, for pages that open at a given detail. */
-export function setDetail(detail: number): void {
-  const slider = input('detail');
-  slider.value = String(positionOfDetail(Math.min(Math.max(detail, 0), 1)));
-  slider.dispatchEvent(new Event('input', { bubbles: true }));
 }
 
 function showValue(id: string, outputId: string, text: string): void {

@@ -30,6 +30,8 @@ export class Framing {
   #framed = new Sphere(new Vector3(), 0);
   #measuredVertexCount = 0;
   #isUserControlled = false;
+  /** Pose that the first bounds set instead of that of the whole model. */
+  #first: CameraPose | null = null;
   #glide: ((seconds: number) => boolean) | null = null;
 
   constructor(stage: Stage) {
@@ -43,8 +45,14 @@ export class Framing {
     this.#stop();
   }
 
-  /** Starts a new model: its first bounds set the camera, unless `keepsCamera` (the same model loaded again). */
-  restart(keepsCamera: boolean): void {
+  /** Whether the camera is where the user has moved it, and not where it frames the model. */
+  get isUserControlled(): boolean {
+    return this.#isUserControlled;
+  }
+
+  /** Starts a new model: its first bounds set the camera, unless `keepsCamera` (the same model loaded again). `first` is where it begins. */
+  restart(keepsCamera: boolean, first: CameraPose | null = null): void {
+    this.#first = first;
     this.#measuredVertexCount = 0;
     this.#isUserControlled = keepsCamera;
     if (!keepsCamera) this.#framed.radius = 0;
@@ -62,9 +70,21 @@ export class Framing {
     this.#framed.copy(sphere);
     // Set first, since the distance limits of the last model would clamp the camera.
     this.#setDistanceLimits();
+    if (isFirst && this.#first) return this.#begin(this.#first);
     const pose = this.#wholeModelPose(isFirst ? new Vector3().setFromSpherical(INITIAL_DIRECTION) : this.#direction());
-    if (isFirst) this.#moveTo(pose);
+    if (isFirst) this.moveTo(pose);
     else this.glideTo(pose);
+  }
+
+  /** Moves the camera to where another user had it. */
+  #begin(pose: CameraPose): void {
+    this.#first = null;
+    this.#isUserControlled = true;
+    const { controls } = this.#stage;
+    const distance = pose.eye.distanceTo(pose.target);
+    controls.minDistance = Math.min(controls.minDistance, 0.9 * distance);
+    controls.maxDistance = Math.max(controls.maxDistance, 1.1 * distance);
+    this.moveTo(pose);
   }
 
   /** Follows bounds that have changed although no vertices have arrived. */
@@ -103,7 +123,7 @@ export class Framing {
   /** Moves the camera smoothly, or immediately if the user prefers reduced motion. */
   glideTo(pose: CameraPose): void {
     this.#stop();
-    if (prefersReducedMotion()) return this.#moveTo(pose);
+    if (prefersReducedMotion()) return this.moveTo(pose);
     const from = this.pose();
     let elapsed = 0;
     const step = (seconds: number): boolean => {
@@ -126,7 +146,7 @@ export class Framing {
     const offset = new Spherical().setFromVector3(camera.position.clone().sub(controls.target));
     offset.theta += right;
     offset.phi = MathUtils.clamp(offset.phi - up, 0.02, Math.PI - 0.02);
-    this.#moveTo({ eye: new Vector3().setFromSpherical(offset).add(controls.target), target: controls.target.clone() });
+    this.moveTo({ eye: new Vector3().setFromSpherical(offset).add(controls.target), target: controls.target.clone() });
   }
 
   /** Multiplies the distance to the target: below 1 moves closer. */
@@ -135,7 +155,7 @@ export class Framing {
     const { camera, controls } = this.#stage;
     const offset = camera.position.clone().sub(controls.target);
     offset.setLength(MathUtils.clamp(offset.length() * factor, controls.minDistance, controls.maxDistance));
-    this.#moveTo({ eye: offset.add(controls.target), target: controls.target.clone() });
+    this.moveTo({ eye: offset.add(controls.target), target: controls.target.clone() });
   }
 
   /** Moves sideways and up by fractions of the distance to the target. */
@@ -144,7 +164,7 @@ export class Framing {
     const { camera, controls } = this.#stage;
     const distance = camera.position.distanceTo(controls.target);
     const step = new Vector3(right * distance, up * distance, 0).applyQuaternion(camera.quaternion);
-    this.#moveTo({ eye: camera.position.clone().add(step), target: controls.target.clone().add(step) });
+    this.moveTo({ eye: camera.position.clone().add(step), target: controls.target.clone().add(step) });
   }
 
   #wholeModelPose(direction: Vector3): CameraPose {
@@ -160,7 +180,8 @@ export class Framing {
     this.#stage.controls.maxDistance = 60 * this.#framed.radius;
   }
 
-  #moveTo(pose: CameraPose): void {
+  /** Moves the camera at once. */
+  moveTo(pose: CameraPose): void {
     this.#stage.camera.position.copy(pose.eye);
     this.#stage.controls.target.copy(pose.target);
     this.#stage.controls.update();

@@ -3,7 +3,7 @@
  * materials of their own get the studio, an environment that stays in place while the camera moves.
  */
 
-import { DirectionalLight, HemisphereLight, type PerspectiveCamera, PMREMGenerator, type Scene, type Texture, type WebGLRenderer } from 'three';
+import { DirectionalLight, Group, HemisphereLight, MathUtils, type PerspectiveCamera, PMREMGenerator, type Scene, type Texture, type WebGLRenderer } from 'three';
 import { studioEnvironment } from '../src/index.ts';
 
 export type LightingName = 'lamps' | 'studio';
@@ -11,6 +11,8 @@ export type LightingName = 'lamps' | 'studio';
 export class Lighting {
   readonly #renderer: WebGLRenderer;
   readonly #scene: Scene;
+  /** Parent of the lamps that have a direction. */
+  readonly #rig = new Group();
   readonly #lamps: (DirectionalLight | HemisphereLight)[];
   /** The environment, made when it is needed first. */
   #studio: Texture | null = null;
@@ -23,7 +25,8 @@ export class Lighting {
     const rim = new DirectionalLight(0xbfd4ff, 0.7);
     rim.position.set(1, -0.2, -0.35);
     const sky = new HemisphereLight(0xf4f0ff, 0x9c8a78, 1.3);
-    camera.add(key, key.target, rim, rim.target);
+    this.#rig.add(key, key.target, rim, rim.target);
+    camera.add(this.#rig);
     scene.add(sky);
     this.#lamps = [key, rim, sky];
   }
@@ -36,6 +39,13 @@ export class Lighting {
   use(name: LightingName): void {
     for (const lamp of this.#lamps) lamp.visible = name === 'lamps';
     this.#scene.environment = name === 'studio' ? this.#environment() : null;
+  }
+
+  /** Turns the light around the vertical axis; degrees. */
+  turn(degrees: number): void {
+    const angle = MathUtils.degToRad(degrees);
+    this.#rig.rotation.y = angle;
+    this.#scene.environmentRotation.y = angle;
   }
 
   #environment(): Texture {

@@ -11,13 +11,15 @@ import { installShortcuts } from './keys.ts';
 import { dismissNewest, notify } from './notices.ts';
 import { announce, element } from './dom.ts';
 import { Panel } from './panel.ts';
+import { Sharing } from './sharing.ts';
 import { embeddedModel, fromFile, fromUrl, type ModelSource } from './sources.ts';
 import { Stage } from './stage.ts';
 import { followTheme } from './theme.ts';
+import { readView } from './view-state.ts';
 import { Viewer } from './viewer.ts';
 
-/** Step of one key press: orbit in radians, pan and zoom as fractions of the distance. */
-const STEP = { orbit: Math.PI / 30, pan: 0.06, zoom: 1.12 };
+/** Step of one key press: orbit in radians, pan and zoom as fractions of the distance, light in degrees. */
+const STEP = { orbit: Math.PI / 30, pan: 0.06, zoom: 1.12, light: 15 };
 
 /** Directions of the arrow keys: right and up. */
 const ARROWS: Record<string, [number, number]> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
@@ -34,14 +36,18 @@ declare global {
 class Page {
   readonly #viewer: Viewer;
   readonly #panel: Panel;
+  readonly #sharing: Sharing;
   #hasGallery = false;
 
   constructor(stage: Stage) {
     this.#viewer = new Viewer(stage);
     this.#panel = new Panel(this.#viewer);
+    this.#sharing = new Sharing(this.#viewer, this.#panel);
     window.striataViewer = this.#viewer;
+    this.#viewer.onView = ({ look }) => this.#panel.restoreLook(look);
     this.#viewer.onShown = () => {
       this.#panel.onModelShown();
+      this.#sharing.refresh();
       this.#setTitle(this.#viewer.name);
     };
     this.#viewer.onComparisonChanged = (isOn) => this.#panel.onComparisonChanged(isOn);
@@ -57,16 +63,17 @@ class Page {
   /** Opens the first model, or shows the gallery or the welcome screen. */
   async start(): Promise<void> {
     const embedded = embeddedModel();
-    if (embedded) return this.#open(embedded);
+    const view = readView(location.search);
+    if (embedded) return this.#open({ ...embedded, view });
     const requested = requestedModel();
-    if (requested) this.#open(fromUrl(requested));
+    if (requested) this.#open(fromUrl(requested, view));
     const listing = await fetchListing();
     if (listing) {
       fillGallery(listing, (model) => this.#openListed(model));
       const only = listing.models.length === 1 ? listing.models[0] : undefined;
       this.#hasGallery = !only;
       element('to-gallery').hidden = !this.#hasGallery;
-      if (!requested && only) return this.#open(fromUrl(only.url));
+      if (!requested && only) return this.#open(fromUrl(only.url, view));
     }
     // Also if the requested model has already failed to load.
     if (!this.#viewer.isBusy) this.#showStart();
@@ -97,7 +104,7 @@ class Page {
 
   #openAddress(): void {
     const requested = requestedModel();
-    if (requested) this.#open(fromUrl(requested));
+    if (requested) this.#open(fromUrl(requested, readView(location.search)));
     else this.#showStart();
   }
 
@@ -110,6 +117,7 @@ class Page {
   /** Shows the gallery, or the welcome screen if there is no gallery. */
   #showStart(): void {
     this.#viewer.close();
+    this.#sharing.refresh();
     element('title').textContent = 'striata';
     element('subtitle').textContent = 'continuous level of detail';
     document.title = 'striata viewer';
@@ -133,7 +141,7 @@ class Page {
   }
 
   #installShortcuts(): void {
-    const { framing, detail, playback } = this.#viewer;
+    const { framing, detail, playback, recording } = this.#viewer;
     const panel = this.#panel;
     installShortcuts([
       { keys: Object.keys(ARROWS), shown: '← → ↑ ↓', description: 'Rotate (with Shift: pan)', run: (event) => this.#move(event), onlyOnStage: true },
@@ -152,7 +160,13 @@ class Page {
       { keys: ['z'], shown: 'Z', description: 'Z up', run: () => panel.toggle('z-up', 'Z up') },
       { keys: ['t'], shown: 'T', description: 'Auto-rotate', run: () => panel.toggle('turn', 'Auto-rotate') },
       { keys: ['r'], shown: 'R', description: 'Reset view', run: () => panel.reset() },
-      { keys: ['p'], shown: 'P', description: 'Save image', run: () => void panel.saveImage() },
+      { keys: ['p'], shown: 'P', description: 'Save picture', run: () => void panel.savePicture() },
+      { keys: ['m'], shown: 'M', description: 'Save video, or cancel it', run: () => recording.toggle() },
+      { keys: ['k'], shown: 'K', description: 'Copy link', run: () => void this.#sharing.copy() },
+      { keys: ['i'], shown: 'I', description: 'Pick triangles (also: Shift and a click)', run: () => panel.toggle('pick', 'Picking') },
+      { keys: [','], shown: ',', description: 'Turn the light left', run: () => panel.turnLight(-STEP.light) },
+      { keys: ['.'], shown: '.', description: 'Turn the light right (also: Alt and drag)', run: () => panel.turnLight(STEP.light) },
+      { keys: ['g'], shown: 'G', description: 'Plots', run: () => element('plots-title').click() },
       { keys: ['o'], shown: 'O', description: 'Open file', run: () => element('open').click() },
       { keys: ['h'], shown: 'H', description: 'Show or hide controls', run: () => panel.fold() },
       { keys: ['?'], shown: '?', description: 'Show this help', run: () => this.#showHelp() },

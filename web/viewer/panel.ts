@@ -2,11 +2,20 @@
 
 import type { Coloring } from '../src/index.ts';
 import { announce, element, input, prefersReducedMotion } from './dom.ts';
-import { download } from './saving.ts';
+import { notify } from './notices.ts';
+import { download, stemOf } from './saving.ts';
+import type { Backs } from './surface.ts';
 import { themeColor } from './theme.ts';
+import { LIGHT_LIMIT, type LookState } from './view-state.ts';
 import type { Viewer } from './viewer.ts';
 
 const BACKGROUNDS: Record<string, string> = { white: '#ffffff', gray: '#808080', black: '#000000' };
+
+/** A saved picture is this much larger than the view. */
+const PICTURE_FACTOR = 2;
+
+/** Degrees that a drag across a pixel turns the light by. */
+const LIGHT_PER_PX = 0.6;
 
 /** Windows at least this wide show the panel at the side. */
 const isWide = matchMedia('(min-width: 701px)');
@@ -18,13 +27,15 @@ export class Panel {
     this.#viewer = viewer;
     element('controls').addEventListener('submit', (event) => event.preventDefault());
     for (const radio of this.#colorings()) radio.addEventListener('change', () => this.#onLookChanged());
-    for (const id of ['wireframe', 'flat']) input(id).addEventListener('change', () => this.#onLookChanged());
+    for (const id of ['wireframe', 'flat', 'vertex-colors', 'backs']) element(id).addEventListener('change', () => this.#onLookChanged());
     input('z-up').addEventListener('change', () => viewer.setZUp(input('z-up').checked));
     input('turn').addEventListener('change', () => this.#onAutoRotateChanged());
     element('background').addEventListener('change', () => this.paintBackground());
+    for (const id of ['light', 'exposure']) input(id).addEventListener('input', () => this.#onLightChanged());
+    this.#dragLight();
     element('reset').addEventListener('click', () => this.reset());
     element('full').addEventListener('click', () => void this.#fullScreen());
-    element('picture').addEventListener('click', () => void this.saveImage());
+    element('picture').addEventListener('click', () => void this.savePicture());
     for (const id of ['fold', 'handle']) element(id).addEventListener('click', () => this.fold());
     this.fold(!isWide.matches);
     isWide.addEventListener('change', () => this.fold(!isWide.matches));
@@ -78,9 +89,47 @@ export class Panel {
     for (const id of ['fold', 'handle']) element(id).setAttribute('aria-expanded', String(!isFolded));
   }
 
-  /** Saves the stage as an image file. */
-  async saveImage(): Promise<void> {
-    download(await this.#viewer.stage.toPng(), `${this.#viewer.name.replace(/\.\w+$/, '')}.png`);
+  /** Saves what is shown as a picture, larger than it is shown. */
+  async savePicture(): Promise<void> {
+    const name = `${stemOf(this.#viewer.name)}.png`;
+    try {
+      download(await this.#viewer.stage.toPng(PICTURE_FACTOR), name);
+      announce(`Saved ${name}`);
+    } catch (error) {
+      notify({ title: `Cannot save ${name}`, reason: error instanceof Error ? error.message : String(error) });
+    }
+  }
+
+  /** Turns the light by degrees. */
+  turnLight(degrees: number): void {
+    const turned = input('light').valueAsNumber + degrees;
+    input('light').valueAsNumber = ((((turned + LIGHT_LIMIT) % 360) + 360) % 360) - LIGHT_LIMIT;
+    this.#onLightChanged();
+  }
+
+  /** The settings of the panel that belong to a view. */
+  lookState(): LookState {
+    const { coloring, wireframe, flat, zUp, vertexColors, backs } = this.#viewer.look;
+    return {
+      coloring, wireframe, flat, zUp, vertexColors, backs, turns: input('turn').checked,
+      background: element<HTMLSelectElement>('background').value, light: input('light').valueAsNumber, exposure: input('exposure').valueAsNumber,
+    };
+  }
+
+  /** Sets everything that belongs to a view. */
+  restoreLook(look: LookState): void {
+    for (const radio of this.#colorings()) radio.checked = radio.value === look.coloring;
+    const boxes = { wireframe: look.wireframe, flat: look.flat, 'vertex-colors': look.vertexColors, 'z-up': look.zUp, turn: look.turns };
+    for (const [id, isOn] of Object.entries(boxes)) input(id).checked = isOn;
+    element<HTMLSelectElement>('backs').value = look.backs;
+    element<HTMLSelectElement>('background').value = look.background;
+    input('light').valueAsNumber = look.light;
+    input('exposure').valueAsNumber = look.exposure;
+    this.#onLookChanged();
+    this.#viewer.setZUp(look.zUp);
+    this.#onAutoRotateChanged();
+    this.paintBackground();
+    this.#onLightChanged();
   }
 
   /** Updates the panel for the model that is shown. */
@@ -101,7 +150,42 @@ export class Panel {
     look.coloring = (this.#colorings().find((radio) => radio.checked)?.value ?? 'surface') as Coloring;
     look.wireframe = input('wireframe').checked;
     look.flat = input('flat').checked;
+    look.vertexColors = input('vertex-colors').checked;
+    look.backs = element<HTMLSelectElement>('backs').value as Backs;
     this.#viewer.applyLook();
+  }
+
+  #onLightChanged(): void {
+    const { stage } = this.#viewer;
+    const [degrees, stops] = [input('light').valueAsNumber, input('exposure').valueAsNumber];
+    const texts = { light: `${degrees}°`, exposure: `${stops > 0 ? '+' : ''}${stops}` };
+    for (const [id, text] of Object.entries(texts)) {
+      element(`${id}-value`).textContent = text;
+      input(id).setAttribute('aria-valuetext', id === 'light' ? `${degrees} degrees` : `${text} stops`);
+    }
+    stage.lighting.turn(degrees);
+    stage.setExposure(stops);
+  }
+
+  /** Turns the light while the stage is dragged with Alt. */
+  #dragLight(): void {
+    const canvas = this.#viewer.stage.renderer.domElement;
+    const onDown = (event: PointerEvent): void => {
+      if (!event.altKey || event.button !== 0 || event.target !== canvas) return;
+      // Before the controls of the camera see it.
+      event.stopPropagation();
+      canvas.setPointerCapture(event.pointerId);
+      const stop = new AbortController();
+      let rest = 0;
+      canvas.addEventListener('pointermove', ({ movementX }) => {
+        rest += LIGHT_PER_PX * movementX;
+        const whole = Math.trunc(rest);
+        rest -= whole;
+        this.turnLight(whole);
+      }, stop);
+      for (const end of ['pointerup', 'pointercancel', 'lostpointercapture']) canvas.addEventListener(end, () => stop.abort(), stop);
+    };
+    element('screen').addEventListener('pointerdown', onDown, { capture: true });
   }
 
   #onAutoRotateChanged(): void {

@@ -4,6 +4,7 @@ import { type AnimationAction, type AnimationClip, AnimationMixer } from 'three'
 import type { StriataScene } from '../src/index.ts';
 import { announce, createNode, element, input, prefersReducedMotion } from './dom.ts';
 import type { Stage } from './stage.ts';
+import type { PlaybackState } from './view-state.ts';
 
 /** Steps of the time slider. */
 const STEPS = 1000;
@@ -16,6 +17,7 @@ export class Playback {
   #action: AnimationAction | null = null;
   #time = 0;
   #isPlaying = false;
+  #clip = 0;
 
   constructor(stage: Stage) {
     this.#stage = stage;
@@ -52,8 +54,13 @@ export class Playback {
     return this.#action?.getClip().duration ?? 0;
   }
 
-  /** Switches to another scene and plays its first clip, unless the user prefers reduced motion; that clip is then paused. */
-  setScene(scene: StriataScene | null): void {
+  /** Clip, time, and whether it plays; null if the scene has no animation. */
+  get state(): PlaybackState | null {
+    return this.isAvailable ? { clip: this.#clip, time: this.#time, plays: this.#isPlaying } : null;
+  }
+
+  /** Switches to another scene and plays its first clip, or begins at `first`. If the user prefers reduced motion, the clip is paused. */
+  setScene(scene: StriataScene | null, first: PlaybackState | null = null): void {
     this.#mixer?.stopAllAction();
     this.#mixer = null;
     this.#action = null;
@@ -70,8 +77,10 @@ export class Playback {
     });
     element('clip').replaceChildren(...options);
     element('clip').hidden = options.length < 2;
-    this.#choose(0);
-    if (prefersReducedMotion()) this.pause();
+    this.#choose(first && first.clip < this.#clips.length ? first.clip : 0);
+    element<HTMLSelectElement>('clip').value = String(this.#clip);
+    if (first) this.seek(first.time);
+    if (prefersReducedMotion() || first?.plays === false) this.pause();
     else this.play();
   }
 
@@ -116,6 +125,7 @@ export class Playback {
   #choose(index: number): void {
     const clip = this.#clips[index];
     if (!this.#mixer || !clip) return;
+    this.#clip = index;
     // Nodes that the next clip does not move return to their own pose.
     this.#mixer.stopAllAction();
     this.#action = this.#mixer.clipAction(clip).play();

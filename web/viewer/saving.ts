@@ -41,7 +41,7 @@ export class Saving {
     if (!source || this.#abort) return;
     const abort = new AbortController();
     this.#abort = abort;
-    const stem = source.name.replace(/(\.\w+)?(\.gz|\.zst)?$/i, '') || 'model';
+    const stem = stemOf(source.name);
     const triangles = this.#shownTriangles();
     const name = format === 'level' ? `${stem}-${triangles}.glb` : `${stem}.${format}`;
     this.#show(name, 'read', 0);
@@ -71,6 +71,11 @@ export class Saving {
     const reason = error instanceof Error ? error.message : String(error);
     notify({ title: `Cannot save ${name}`, reason, hint: known?.hint, retry: () => void this.save(format) });
   }
+}
+
+/** Name of a file without its extensions. */
+export function stemOf(name: string): string {
+  return name.replace(/(\.\w+)?(\.gz|\.zst)?$/i, '') || 'model';
 }
 
 /** Offers a file as a download. */

@@ -19,6 +19,10 @@ export const positionOfDetail = (detail: number): number => Math.round(MAX_POSIT
 export const pixelsAt = (position: number): number =>
   Number((FINEST_PX * (COARSEST_PX / FINEST_PX) ** (position / MAX_POSITION)).toPrecision(2));
 
+/** Inverse of `pixelsAt`. */
+export const positionOfPixels = (pixels: number): number =>
+  Math.round((MAX_POSITION * Math.log(pixels / FINEST_PX)) / Math.log(COARSEST_PX / FINEST_PX));
+
 /** Triangle budget at a slider position, for a mesh of `full` triangles. */
 export function budgetAt(position: number, full: number): number {
   const least = Math.min(SMALLEST_BUDGET, full);

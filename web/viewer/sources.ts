@@ -1,5 +1,7 @@
 /** Sources of models: a URL, a local file, or bytes embedded in the page. */
 
+import type { ViewState } from './view-state.ts';
+
 /** A model to open. */
 export interface ModelSource {
   data: string | File | ArrayBuffer;
@@ -7,10 +9,14 @@ export interface ModelSource {
   name: string;
   /** Where the model can be downloaded, if anywhere. */
   url: string | null;
+  /** How it is shown at first, if not as a whole. */
+  view?: ViewState | null;
+  /** Whether the page contains it. */
+  isEmbedded?: boolean;
 }
 
-export function fromUrl(url: string): ModelSource {
-  return { data: url, name: nameOf(url), url };
+export function fromUrl(url: string, view: ViewState | null = null): ModelSource {
+  return { data: url, name: nameOf(url), url, view };
 }
 
 export function fromFile(file: File): ModelSource {
@@ -25,7 +31,7 @@ export function embeddedModel(): ModelSource | null {
   const binary = atob(text);
   const bytes = new Uint8Array(binary.length);
   for (let index = 0; index < binary.length; index += 1) bytes[index] = binary.charCodeAt(index);
-  return { data: bytes.buffer, name: holder.dataset.name ?? 'model.stri', url: null };
+  return { data: bytes.buffer, name: holder.dataset.name ?? 'model.stri', url: null, isEmbedded: true };
 }
 
 /** Last path segment of a URL. */

@@ -6,7 +6,7 @@
  */
 
 import {
-  Color, Group, MathUtils, MeshBasicMaterial, PerspectiveCamera, Scene, Sphere, SRGBColorSpace, Vector2, Vector3, WebGLRenderer,
+  BackSide, Color, Group, LinearToneMapping, MathUtils, MeshBasicMaterial, NoToneMapping, type Object3D, PerspectiveCamera, Scene, Sphere, SRGBColorSpace, Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { prefersReducedMotion } from './dom.ts';
@@ -49,9 +49,14 @@ export class Stage {
   readonly beforeFrame = new Set<(seconds: number) => boolean>();
   /** Whether edges are drawn over the surface; hidden edges stay hidden. */
   showsWireframe = false;
+  /** Whether back faces are drawn in a color of their own. */
+  tintsBacks = false;
+  /** Called after each frame with the time that it took, milliseconds. */
+  onFrame: (ms: number) => void = () => {};
   split: Split | null = null;
 
-  readonly #lines = new MeshBasicMaterial({ color: 0x17130f, wireframe: true, transparent: true, opacity: 0.28, depthWrite: false });
+  readonly #lines = new MeshBasicMaterial({ color: 0x17130f, wireframe: true, transparent: true, opacity: 0.28, depthWrite: false, toneMapped: false });
+  readonly #backs = new MeshBasicMaterial({ color: 0x3f6fd8, side: BackSide, transparent: true, opacity: 0.75, depthWrite: false, toneMapped: false });
   #frameRequest = 0;
   #lastFrameTime = 0;
   #frameTimes: number[] = [];
@@ -104,17 +109,54 @@ export class Stage {
     renderer.setScissorTest(false);
   }
 
-  /** Renders the stage to a PNG image. */
-  async toPng(): Promise<Blob> {
-    this.#fitPlanes();
-    this.render();
-    const blob = await new Promise<Blob | null>((resolve) => this.renderer.domElement.toBlob(resolve, 'image/png'));
-    if (!blob) throw new Error('the browser could not encode the image');
+  /** Brightness of the picture, in stops: 1 doubles the light. */
+  setExposure(stops: number): void {
+    this.renderer.toneMapping = stops === 0 ? NoToneMapping : LinearToneMapping;
+    this.renderer.toneMappingExposure = 2 ** stops;
+    this.invalidate();
+  }
+
+  /** Renders the stage to a PNG image, `factor` times as large as it is shown, as far as the graphics card allows. */
+  async toPng(factor: number): Promise<Blob> {
+    const { renderer } = this;
+    const canvas = renderer.domElement;
+    const gl = renderer.getContext();
+    const most = Math.min(...(gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array), gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number);
+    const ratio = renderer.getPixelRatio();
+    const room = most / Math.max(canvas.width, canvas.height, 1);
+    const pictured = this.#withoutLevels(() => {
+      renderer.setPixelRatio(ratio * Math.min(factor, room));
+      this.#fitPlanes();
+      this.render();
+      // Takes the pixels before anything else is drawn.
+      const blob = new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
+      renderer.setPixelRatio(ratio);
+      this.render();
+      return blob;
+    });
+    const blob = await pictured;
+    if (!blob) throw new Error('the browser could not encode the picture');
     return blob;
+  }
+
+  /** Draws without choosing levels: a larger picture would need finer ones than those that are shown. */
+  #withoutLevels<T>(draw: () => T): T {
+    const changed = new Map<Object3D, Object3D['onBeforeRender']>();
+    this.pivot.traverse((object) => {
+      if (!Object.hasOwn(object, 'onBeforeRender')) return;
+      changed.set(object, object.onBeforeRender);
+      object.onBeforeRender = () => {};
+    });
+    try {
+      return draw();
+    } finally {
+      for (const [object, choose] of changed) object.onBeforeRender = choose;
+    }
   }
 
   #frame(now: number): void {
     this.#frameRequest = 0;
+    const started = performance.now();
     const seconds = Math.min((now - this.#lastFrameTime) / 1000, 0.1);
     this.#lastFrameTime = now;
     let again = this.controls.autoRotate && !document.hidden;
@@ -122,22 +164,25 @@ export class Stage {
     this.controls.update(seconds);
     this.#fitPlanes();
     this.render();
-    this.#frameTimes.push(performance.now());
+    const ended = performance.now();
+    this.#frameTimes.push(ended);
+    this.onFrame(ended - started);
     if (again) this.invalidate();
   }
 
   #renderPart(): void {
     this.renderer.render(this.scene, this.camera);
-    if (this.showsWireframe) this.#renderLines();
+    if (this.tintsBacks) this.#renderOver(this.#backs);
+    if (this.showsWireframe) this.#renderOver(this.#lines);
   }
 
-  /** Draws the edges of the model over its surface. */
-  #renderLines(): void {
+  /** Draws the model again with another material, over its surface. */
+  #renderOver(material: MeshBasicMaterial): void {
     const { renderer, scene, camera } = this;
     const { background } = scene;
     const gl = renderer.getContext();
     scene.background = null;
-    scene.overrideMaterial = this.#lines;
+    scene.overrideMaterial = material;
     renderer.autoClear = false;
     camera.layers.disable(HELPER_LAYER);
     gl.depthRange(0, 1 - LINE_DEPTH_OFFSET);

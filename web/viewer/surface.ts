@@ -1,6 +1,6 @@
 /** Materials of a model: whether it has any of its own, and how they are changed for the chosen appearance. */
 
-import { type Color, FrontSide, type Material, Mesh, MeshStandardMaterial, type Object3D, type Texture } from 'three';
+import { BackSide, type Color, DoubleSide, FrontSide, type Material, Mesh, MeshStandardMaterial, type Object3D, type Side, type Texture } from 'three';
 
 /** Color of models without materials of their own. */
 const CLAY = 0xcfc4b4;
@@ -11,6 +11,9 @@ const CLAY_SURFACE = { metalness: 0, roughness: 0.8 };
 const PLAIN = new Set([CLAY, WHITE]);
 
 type SurfaceMaterial = Material & { flatShading?: boolean; color?: Color; map?: Texture | null };
+
+/** Back faces: as the file says, always drawn, never drawn, or drawn in a color of their own. */
+export type Backs = 'file' | 'both' | 'hide' | 'tint';
 
 /** Materials of everything that is drawn, each once. */
 export function materialsOf(root: Object3D): Set<SurfaceMaterial> {
@@ -35,19 +38,11 @@ export function isBare(materials: Iterable<SurfaceMaterial>): boolean {
 export function paintClay(materials: Iterable<SurfaceMaterial>, isClay: boolean): void {
   for (const material of materials) {
     if (!PLAIN.has(material.color?.getHex() ?? WHITE)) continue;
-    if (!material.vertexColors) material.color?.setHex(isClay ? CLAY : WHITE);
+    material.color?.setHex(isClay && !material.vertexColors ? CLAY : WHITE);
     if (!(material instanceof MeshStandardMaterial)) continue;
     const own = (material.userData['ownSurface'] ??= { metalness: material.metalness, roughness: material.roughness }) as typeof CLAY_SURFACE;
     Object.assign(material, isClay ? CLAY_SURFACE : own);
   }
-}
-
-/**
- * Hides the backs of triangles that cannot be seen. Pixels of backs behind sharp ridges would appear along silhouettes, lit from the
- * other side.
- */
-export function hideBacks(materials: Iterable<SurfaceMaterial>): void {
-  for (const material of materials) material.side = FrontSide;
 }
 
 /** Turns flat shading on or off. */
@@ -55,6 +50,39 @@ export function shadeFlat(materials: Iterable<SurfaceMaterial>, isFlat: boolean)
   for (const material of materials) {
     if (material.flatShading === undefined || material.flatShading === isFlat) continue;
     material.flatShading = isFlat;
+    material.needsUpdate = true;
+  }
+}
+
+/** Sides that are drawn; `file` is what the file says. */
+const SIDES: Record<Exclude<Backs, 'file'>, Side> = { both: DoubleSide, hide: FrontSide, tint: DoubleSide };
+
+/**
+ * Shows, hides or tints back faces. Those of a bare scan that encloses its inside are hidden unless they are asked for: otherwise pixels
+ * of backs behind sharp ridges would appear along silhouettes, lit from the other side.
+ */
+export function showBacks(materials: Iterable<SurfaceMaterial>, backs: Backs, isSolidScan: boolean): void {
+  for (const material of materials) {
+    const own = (material.userData['ownSide'] ??= material.side) as Side;
+    const preferred = isSolidScan ? FrontSide : own;
+    const side = backs === 'file' || own === BackSide ? preferred : SIDES[backs];
+    if (material.side === side) continue;
+    material.side = side;
+    material.needsUpdate = true;
+  }
+}
+
+/** Whether any material has vertex colors, even if they are not shown. */
+export function hasVertexColors(materials: Iterable<SurfaceMaterial>): boolean {
+  return [...materials].some((material) => (material.userData['ownVertexColors'] ?? material.vertexColors) as boolean);
+}
+
+/** Shows or hides vertex colors. */
+export function showVertexColors(materials: Iterable<SurfaceMaterial>, isShown: boolean): void {
+  for (const material of materials) {
+    const own = (material.userData['ownVertexColors'] ??= material.vertexColors) as boolean;
+    if (material.vertexColors === (own && isShown)) continue;
+    material.vertexColors = own && isShown;
     material.needsUpdate = true;
   }
 }

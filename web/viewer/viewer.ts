@@ -19,13 +19,17 @@ import { FrozenView } from './frozen-view.ts';
 import { ModelTree } from './model-tree.ts';
 import { dismissAll, notify } from './notices.ts';
 import { formatCount } from './format.ts';
-import { announce, element } from './dom.ts';
+import { announce, element, setVisible } from './dom.ts';
+import { Picking } from './picking.ts';
 import { Playback } from './playback.ts';
+import { Plots } from './plots.ts';
+import { Recording } from './recording.ts';
 import { Saving } from './saving.ts';
 import { isCrossOrigin, type ModelSource } from './sources.ts';
 import type { Stage } from './stage.ts';
-import { hideBacks, isBare, materialsOf, paintClay, shadeFlat } from './surface.ts';
+import { type Backs, hasVertexColors, isBare, materialsOf, paintClay, shadeFlat, showBacks, showVertexColors } from './surface.ts';
 import { themeColor } from './theme.ts';
+import type { ViewState } from './view-state.ts';
 import { wasmUrls } from './wasm-urls.ts';
 
 /** Poses of an animation that are measured to frame the model. */
@@ -39,6 +43,8 @@ export interface Look {
   wireframe: boolean;
   flat: boolean;
   zUp: boolean;
+  vertexColors: boolean;
+  backs: Backs;
 }
 
 export class Viewer {
@@ -47,8 +53,11 @@ export class Viewer {
   readonly detail: DetailControls;
   readonly playback: Playback;
   readonly comparison: Comparison;
-  readonly look: Look = { coloring: 'surface', wireframe: false, flat: false, zUp: false };
+  readonly look: Look = { coloring: 'surface', wireframe: false, flat: false, zUp: false, vertexColors: true, backs: 'file' };
+  readonly recording: Recording;
   model: StriataScene | null = null;
+  /** Called with the view that a model is to be shown in, before it appears. */
+  onView: (view: ViewState) => void = () => {};
   /** Called when a model has appeared on the stage. */
   onShown: () => void = () => {};
   /** Called when no model could be opened and the stage is empty. */
@@ -60,6 +69,7 @@ export class Viewer {
   readonly #stats: Stats;
   readonly #frozen: FrozenView;
   readonly #tree: ModelTree;
+  readonly #picking: Picking;
   readonly #saving = new Saving(() => this.model?.triangleCount ?? 0);
   #source: ModelSource | null = null;
   #abort = new AbortController();
@@ -74,6 +84,9 @@ export class Viewer {
     this.#stats = new Stats(() => stage.framesPerSecond);
     this.detail = new DetailControls(() => this.#onDetailChanged());
     this.playback = new Playback(stage);
+    this.recording = new Recording(this);
+    this.#picking = new Picking(stage, () => this.model);
+    new Plots(stage, () => this.model);
     this.comparison = new Comparison(stage, () => this.onComparisonChanged(this.comparison.isOn));
     this.#tree = new ModelTree({
       focus: (object) => this.#focus(object),
@@ -133,9 +146,21 @@ export class Viewer {
     const { model, look } = this;
     if (!model) return;
     model.coloring = look.coloring;
-    shadeFlat(materialsOf(model), look.flat);
+    this.#applyToMaterials(model);
     this.stage.showsWireframe = look.wireframe;
+    this.stage.tintsBacks = look.backs === 'tint';
     this.stage.invalidate();
+  }
+
+  /** Changes the materials for the chosen appearance; those of colored triangles come later than their choice. */
+  #applyToMaterials(model: StriataScene): void {
+    const { look } = this;
+    const materials = materialsOf(model);
+    shadeFlat(materials, look.flat);
+    showBacks(materials, look.backs, model.isSolid && isBare(materials));
+    showVertexColors(materials, look.vertexColors || look.coloring !== 'surface');
+    if (look.coloring === 'surface') setVisible('vertex-colors-row', hasVertexColors(materials));
+    this.#light(model);
   }
 
   /** Tilts the model if z is up. */
@@ -168,6 +193,21 @@ export class Viewer {
     return this.#source?.url ?? null;
   }
 
+  /** Whether a model is being opened. */
+  get isOpening(): boolean {
+    return this.#isOpening;
+  }
+
+  /** Whether the page contains the model. */
+  get isEmbedded(): boolean {
+    return this.#source?.isEmbedded === true;
+  }
+
+  /** Whether the view is looked at from outside. */
+  get isFrozen(): boolean {
+    return this.#frozen.isFrozen;
+  }
+
   get name(): string {
     return this.#source?.name ?? 'model';
   }
@@ -176,18 +216,24 @@ export class Viewer {
     this.#isOpening = false;
     this.#isIncomplete = false;
     this.#remove();
+    const view = keepsCamera ? null : (source.view ?? null);
+    if (view) {
+      this.onView(view);
+      // Full detail of a paged file would be all of it.
+      if (view.level || model.kind !== 'paged') this.detail.restore(view.level);
+    }
     this.model = model;
     this.#source = source;
     this.stage.lighting.use('lamps');
     this.stage.pivot.add(model);
-    this.framing.restart(keepsCamera);
+    this.framing.restart(keepsCamera, view?.camera);
     this.#listen(model, source);
     this.applyLook();
-    this.playback.setScene(model);
+    this.playback.setScene(model, view?.playback);
     // Animations may follow after everything else that the first picture needs.
     void model.animated.then(() => {
       if (this.model !== model || this.playback.clipCount === model.animations.length) return;
-      this.playback.setScene(model);
+      this.playback.setScene(model, view?.playback);
       this.framing.remeasure(() => this.#measure(model), model.vertexCount);
     });
     this.comparison.setScene(model);
@@ -241,7 +287,7 @@ export class Viewer {
   #update(model: StriataScene): void {
     if (this.model !== model) return;
     if (!this.#frozen.isFrozen) this.framing.follow(() => this.#measure(model), model.vertexCount, model.complete);
-    this.#light(model);
+    this.#applyToMaterials(model);
     this.#stats.show(model);
     this.#tree.update();
     this.comparison.update();
@@ -266,7 +312,6 @@ export class Viewer {
     const materials = materialsOf(model);
     const bare = isBare(materials);
     paintClay(materials, bare);
-    if (bare && model.isSolid) hideBacks(materials);
     if (!bare) lighting.use('studio');
   }
 
@@ -284,6 +329,8 @@ export class Viewer {
   }
 
   #remove(): void {
+    this.recording.cancel();
+    this.#picking.clear();
     this.#frozen.unfreeze(false);
     const { model } = this;
     if (!model) return;
