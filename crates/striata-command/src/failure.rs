@@ -16,8 +16,8 @@ use striata::file::{DecodeError, EncodeError};
 use striata::mesh::MeshError;
 use striata::model::ModelError;
 use striata::simplify::SimplifyError;
-use striata_scene::stream::SceneStreamError;
 use striata_io::{Place, ReadError, WriteError};
+use striata_scene::stream::SceneStreamError;
 use striata_stream::StreamError;
 
 /// A failure as it is shown to the user.
@@ -342,10 +342,11 @@ impl Excerpt {
 /// Returns what to do about a file that cannot be decoded: copies of another version of a format are no better.
 pub fn decode_hint(error: &(dyn Error + 'static)) -> &'static str {
     let mut causes = std::iter::successors(Some(error), |&error| error.source());
-    causes.find_map(version_of).map_or(
-        "the file is damaged or cut off; copy it again, or build it again",
-        |(found, supported)| version_hint(found, supported),
-    )
+    causes
+        .find_map(version_of)
+        .map_or("the file is damaged or cut off; copy it again, or build it again", |(found, supported)| {
+            version_hint(found, supported)
+        })
 }
 
 /// Returns what to do about a file with another version of its format.

@@ -99,7 +99,8 @@ mod tests {
 
     #[test]
     fn an_error_of_the_parser_is_one_line_and_a_tip() {
-        let text = "error: unexpected argument '--ration'\n  found\n\n  tip: use '--ratio'\n\nUsage: striata\n";
+        let text =
+            "error: unexpected argument '--ration'\n  found\n\n  tip: use '--ratio'\n\nUsage: striata\n";
         let (message, tip) = parts_of_parser_message(text);
         assert_eq!((message.as_str(), tip), ("unexpected argument '--ration' found", Some("use '--ratio'")));
     }

@@ -243,7 +243,8 @@ impl Bar {
         }
         self.bar.set_length(progress.total);
         self.bar.set_position(progress.done);
-        if let Some(line) = self.lines.as_mut().and_then(|lines| lines.due(lines.started.elapsed(), progress)) {
+        if let Some(line) = self.lines.as_mut().and_then(|lines| lines.due(lines.started.elapsed(), progress))
+        {
             // A closed stderr is no reason to fail.
             let _ = writeln!(io::stderr(), "{line}");
         }

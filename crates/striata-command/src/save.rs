@@ -1,13 +1,13 @@
 //! Writes meshes to stdout, or to files that appear complete or not at all.
 
 use std::borrow::Cow;
-use std::{fs, io};
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 use striata::mesh::IndexedMesh;
 use striata_io::{
-    EncodedMesh, FileBatch, Format, Scene, WriteError, WriteOptions, convert_colors, encode_mesh, encode_scene,
-    needs_other_colors, write_atomically,
+    EncodedMesh, FileBatch, Format, Scene, WriteError, WriteOptions, convert_colors, encode_mesh,
+    encode_scene, needs_other_colors, write_atomically,
 };
 
 use crate::args::{FormatArg, FormatArgs};

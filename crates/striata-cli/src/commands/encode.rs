@@ -21,8 +21,8 @@ use striata_command::output::{
     Bar, Output, Table, format_bytes, format_count, format_duration, format_length,
 };
 use striata_command::save::{
-    DEFAULT_NAME_NOTE, check_not_compressed, check_place, default_output_path, display_name, georeference_of, is_stdout,
-    write_bytes,
+    DEFAULT_NAME_NOTE, check_not_compressed, check_place, default_output_path, display_name, georeference_of,
+    is_stdout, write_bytes,
 };
 use striata_command::scene::with_mesh_textures;
 use striata_command::sequence::{Limits, SequencePlan, SimplifiedSteps};

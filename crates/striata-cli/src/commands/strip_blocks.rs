@@ -129,8 +129,11 @@ fn check_files(args: &StripArgs) -> Result<Option<Format>, Failure> {
     }
     let format = format_of(path, &args.format())?;
     if !matches!(format, Format::Glb | Format::Ply) {
-        return Err(Failure::usage(format!("{}: {format} files cannot be written in blocks", path.display()))
-            .with_hint("write .glb or .ply"));
+        return Err(Failure::usage(format!(
+            "{}: {format} files cannot be written in blocks",
+            path.display()
+        ))
+        .with_hint("write .glb or .ply"));
     }
     check_place(path)?;
     Ok(Some(format))

@@ -136,7 +136,10 @@ fn errors_are_json_if_the_report_would_be() {
     assert_eq!(kind, "usage");
     assert!(message.contains("--ratio") && hint.starts_with("say how small"), "{message}; {hint}");
     let (_, message, hint) = error("simplify --json shape:torus x.ply --rato 0.5");
-    assert!(message.contains("unexpected argument '--rato'") && hint.contains("--ratio"), "{message}; {hint}");
+    assert!(
+        message.contains("unexpected argument '--rato'") && hint.contains("--ratio"),
+        "{message}; {hint}"
+    );
 }
 
 #[test]
@@ -150,7 +153,10 @@ fn a_large_error_limit_is_questioned() {
         assert!(String::from_utf8_lossy(&assert.get_output().stderr).contains(warning), "{level}");
     }
     for level in ["--error 1%", "--ratio 0.001"] {
-        assert!(bench.json(&format!("simplify shape:torus small.ply {level}"))["warning"].is_null(), "{level}");
+        assert!(
+            bench.json(&format!("simplify shape:torus small.ply {level}"))["warning"].is_null(),
+            "{level}"
+        );
     }
 }
 

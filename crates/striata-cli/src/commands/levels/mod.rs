@@ -175,7 +175,9 @@ fn coarseness_warning<S: LevelSource>(
     triangle_count: usize,
 ) -> Result<Option<String>, Failure> {
     let full_count = source.levels().facts().triangle_count;
-    let Some(limit) = limit.filter(|_| triangle_count.saturating_mul(100) < full_count) else { return Ok(None) };
+    let Some(limit) = limit.filter(|_| triangle_count.saturating_mul(100) < full_count) else {
+        return Ok(None);
+    };
     let bounds = source.levels().bounds().map_err(|error| source.failure(error))?;
     let diagonal = bounds.map_or(0.0, |bounds| bounds.diagonal());
     Ok(large_error_warning(limit.in_units(diagonal) / diagonal, triangle_count, full_count))

@@ -15,8 +15,8 @@ pub(crate) use run::run;
 pub(crate) use source::{is_paged_file, open_input};
 
 use striata_command::failure::{Failure, version_hint};
-use striata_paged::{HeadDefect, PagedError};
 use striata_paged::build::PagedBuildError;
+use striata_paged::{HeadDefect, PagedError};
 
 /// Converts an error of a build.
 fn failure(error: PagedBuildError) -> Failure {
