@@ -14,6 +14,7 @@ mod machine;
 mod oldest_rust;
 mod packages;
 mod py;
+mod release;
 mod results;
 mod steps;
 mod test;
@@ -57,6 +58,8 @@ enum MaintenanceTask {
     Py,
     /// Run only the package check: pack the published crates, check that no file is missing
     Packages,
+    /// Check or build what a release publishes (RELEASING.md)
+    Release(release::ReleaseArgs),
     /// Run only the license check: `cargo deny` for all dependencies
     Licenses,
     /// Run only the check of the oldest Rust: compile with the version in `rust-version`
@@ -83,6 +86,7 @@ fn main() -> ExitCode {
         MaintenanceTask::WebCheck => web::check(),
         MaintenanceTask::Py => py::run(),
         MaintenanceTask::Packages => packages::run(),
+        MaintenanceTask::Release(args) => release::run(&args),
         MaintenanceTask::Licenses => licenses::check(),
         MaintenanceTask::OldestRust => oldest_rust::check(),
         MaintenanceTask::House { list } => house::check(list),

@@ -48,6 +48,23 @@ pub(crate) fn run() -> Result<()> {
     environment.python(&[&["-m", "mypy.stubtest", "striata"], options.as_slice()].concat())
 }
 
+/// Builds the wheel, and uses it in an environment that has nothing but its dependencies.
+///
+/// # Errors
+/// If a step fails.
+pub(crate) fn check_wheel() -> Result<()> {
+    let builder = VirtualEnvironment::new(target_folder()?.join("py/venv"))?;
+    builder.install(&["-r", "tests/requirements.txt"])?;
+    let wheel = builder.build_wheel()?;
+    let fresh = target_folder()?.join("py/fresh");
+    machine::remove_folder(&fresh)?;
+    let fresh = VirtualEnvironment::new(fresh)?;
+    fresh.install(&[&wheel.to_string_lossy()])?;
+    let use_it =
+        "import striata; assert len(striata.simplify(*striata.shapes.torus(64, 32), ratio=0.1)[1]) > 100";
+    fresh.python(&["-c", use_it])
+}
+
 /// Folder of the package.
 fn package() -> PathBuf {
     workspace().join("crates/striata-py")
@@ -87,15 +104,20 @@ impl VirtualEnvironment {
         steps::run_twice(self.command(&pip).args(arguments))
     }
 
-    /// Builds the wheel in release mode, since the tests measure times, and installs it.
+    /// Builds the wheel and installs it.
     fn install_wheel(&self) -> Result<()> {
+        let wheel = self.build_wheel()?;
+        self.install(&["--force-reinstall", "--no-deps", &wheel.to_string_lossy()])
+    }
+
+    /// Builds the wheel in release mode, since the tests measure times.
+    fn build_wheel(&self) -> Result<PathBuf> {
         let wheels = target_folder()?.join("py/wheels");
         machine::remove_folder(&wheels)?;
         let build = ["-m", "maturin", "build", "--release", "--out"];
         let target = target_folder()?;
         steps::run(self.command(&build).arg(&wheels).env("CARGO_TARGET_DIR", target))?;
-        let wheel = the_wheel(&wheels)?;
-        self.install(&["--force-reinstall", "--no-deps", &wheel.to_string_lossy()])
+        the_wheel(&wheels)
     }
 }
 

@@ -4,8 +4,8 @@
 //! verb, and a folder for those with several parts (`build`, `demo`, `info`, `render`), and `levels` for those that
 //! write levels; `strip_lists` prepares strips for glTF files.
 //!
-//! Data goes to stdout; messages and progress bars go to stderr. Exit codes: 0 is success, 1 an error that
-//! the user can fix, 2 an internal error.
+//! Data goes to stdout; messages and progress go to stderr. Exit codes: 0 is success, 1 an error in the files or
+//! on the machine, 2 an error on the command line, 3 an internal error.
 
 mod args;
 mod command_line;

@@ -11,7 +11,7 @@ use striata::strip::{StripSet, stripify};
 use striata_command::args::FormatArgs;
 use striata_command::failure::Failure;
 use striata_command::output::Output;
-use striata_command::save::{format_of, is_stdout};
+use striata_command::save::{check_place, format_of, is_stdout};
 use striata_io::Format;
 
 /// One index list per group: a single strip, or an empty list if a triangle list takes fewer indices.
@@ -72,7 +72,8 @@ pub(crate) fn check_output(path: &Path, format: &FormatArgs, output: &Output) ->
         Format::Ply => "use --block-triangles, which writes strips to .ply",
         _ => "remove -o to see only the cost of the strips",
     };
-    check_form_fits("strips", path, format, instead)
+    check_form_fits("strips", path, format, instead)?;
+    check_place(path)
 }
 
 /// Checks that a format supports strips or fans; `instead` is a hint for the user, besides choosing another
@@ -85,7 +86,7 @@ pub(crate) fn check_form_fits(what: &str, path: &Path, format: Format, instead: 
         return Ok(());
     }
     let name = if is_stdout(path) { "stdout".into() } else { path.to_string_lossy() };
-    Err(Failure::user(format!("{name}: {format} files cannot contain {what}"))
+    Err(Failure::usage(format!("{name}: {format} files cannot contain {what}"))
         .with_hint(format!("write .glb or .gltf (`--to glb` for stdout), or {instead}")))
 }
 

@@ -1,16 +1,23 @@
 //! Errors of the command: a message, a hint, the offending line of a file, and an exit code.
+//!
+//! People read them on stderr. With `--json`, programs also get an object on stdout, in place of the report:
+//! `{"error": {"kind": "usage", "message": "...", "hint": "..."}}`, where the hint may be null.
 
+use std::any::Any;
 use std::cell::Cell;
+use std::error::Error;
 use std::io::{self, Write};
 #[cfg(feature = "gpu")]
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
+use serde_json::json;
 use striata::file::{DecodeError, EncodeError};
 use striata::mesh::MeshError;
 use striata::model::ModelError;
 use striata::simplify::SimplifyError;
 use striata_io::{Place, ReadError, WriteError};
+use striata_scene::stream::SceneStreamError;
 use striata_stream::StreamError;
 
 /// A failure as it is shown to the user.
@@ -19,8 +26,39 @@ pub struct Failure {
     message: String,
     hint: Option<String>,
     excerpt: Option<Excerpt>,
-    is_internal: bool,
+    kind: FailureKind,
     needs_file_name: bool,
+}
+
+/// Who can do something about a failure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FailureKind {
+    /// The files or the machine prevent the work.
+    Failed,
+    /// The command line is wrong, which shows before the work begins.
+    Usage,
+    /// It is a bug in striata.
+    Internal,
+}
+
+impl FailureKind {
+    /// Returns the exit code of the command.
+    pub const fn exit_code(self) -> u8 {
+        match self {
+            Self::Failed => 1,
+            Self::Usage => 2,
+            Self::Internal => 3,
+        }
+    }
+
+    /// Returns the name in JSON.
+    const fn as_str(self) -> &'static str {
+        match self {
+            Self::Failed => "failed",
+            Self::Usage => "usage",
+            Self::Internal => "internal",
+        }
+    }
 }
 
 /// The offending line of a text file, with the lines before and after it.
@@ -33,25 +71,25 @@ pub struct Excerpt {
 }
 
 impl Failure {
-    /// Exit code of failures that the user can fix.
-    pub const USER_ERROR: u8 = 1;
-    /// Exit code of internal errors.
-    pub const INTERNAL_ERROR: u8 = 2;
-
-    /// Creates a failure that the user can fix.
+    /// Creates a failure that the user can fix in the files or on the machine.
     pub fn user(message: impl Into<String>) -> Self {
         Self {
             message: message.into(),
             hint: None,
             excerpt: None,
-            is_internal: false,
+            kind: FailureKind::Failed,
             needs_file_name: false,
         }
     }
 
+    /// Creates a failure of the command line, which the user can write differently.
+    pub fn usage(message: impl Into<String>) -> Self {
+        Self { kind: FailureKind::Usage, ..Self::user(message) }
+    }
+
     /// Creates an internal error.
     pub fn internal(message: impl Into<String>) -> Self {
-        Self { is_internal: true, ..Self::user(message) }
+        Self { kind: FailureKind::Internal, ..Self::user(message) }
     }
 
     /// Adds a hint how to fix the failure.
@@ -82,8 +120,8 @@ impl Failure {
         self.hint.as_deref()
     }
 
-    /// Prints the failure to stderr and returns the exit code.
-    pub fn announce(&self) -> ExitCode {
+    /// Prints the failure to stderr, and as JSON to stdout if that is wanted; returns the exit code.
+    pub fn announce(&self, is_json: bool) -> ExitCode {
         let mut text = format!("error: {}\n", self.message);
         if let Some(excerpt) = &self.excerpt {
             text.push_str(&excerpt.render());
@@ -91,13 +129,23 @@ impl Failure {
         if let Some(hint) = &self.hint {
             text.push_str(&format!("hint: {hint}\n"));
         }
-        if self.is_internal {
+        if self.kind == FailureKind::Internal {
             text.push_str(PLEASE_REPORT);
         }
         // If stderr is closed, the exit code still reports the failure.
         let _ = io::stderr().write_all(text.as_bytes());
-        ExitCode::from(if self.is_internal { Self::INTERNAL_ERROR } else { Self::USER_ERROR })
+        if is_json {
+            print_json(self.kind, &self.message, self.hint.as_deref());
+        }
+        ExitCode::from(self.kind.exit_code())
     }
+}
+
+/// Prints a failure to stdout as the only JSON object.
+pub(crate) fn print_json(kind: FailureKind, message: &str, hint: Option<&str>) {
+    let error = json!({ "kind": kind.as_str(), "message": message, "hint": hint });
+    // If stdout is closed, stderr and the exit code still report the failure.
+    let _ = writeln!(io::stdout(), "{}", json!({ "error": error }));
 }
 
 const PLEASE_REPORT: &str = "This is a bug in striata; please report it with the command line and, if \
@@ -242,11 +290,14 @@ pub fn catch_panic<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     // Callers drop whatever state a panic leaves inconsistent.
     let result = catch_unwind(AssertUnwindSafe(work));
     IS_CAUGHT.set(before);
-    result.map_err(|panic| {
-        let text = panic.downcast_ref::<String>().map(String::as_str);
-        let text = text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no message");
-        text.lines().next().unwrap_or_default().to_owned()
-    })
+    result.map_err(|panic| panic_message(&*panic))
+}
+
+/// Returns the first line of the message of a panic.
+pub(crate) fn panic_message(panic: &(dyn Any + Send)) -> String {
+    let text = panic.downcast_ref::<String>().map(String::as_str);
+    let text = text.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("no message");
+    text.lines().next().unwrap_or_default().to_owned()
 }
 
 /// Panic hook: prints a panic as an internal error.
@@ -288,10 +339,41 @@ impl Excerpt {
     }
 }
 
-/// Returns the failure for a name that is not one of `known`; `what` is the kind of thing it should name.
+/// Returns what to do about a file that cannot be decoded: copies of another version of a format are no better.
+pub fn decode_hint(error: &(dyn Error + 'static)) -> &'static str {
+    let mut causes = std::iter::successors(Some(error), |&error| error.source());
+    causes
+        .find_map(version_of)
+        .map_or("the file is damaged or cut off; copy it again, or build it again", |(found, supported)| {
+            version_hint(found, supported)
+        })
+}
+
+/// Returns what to do about a file with another version of its format.
+pub fn version_hint(found: u32, supported: u32) -> &'static str {
+    if found < supported {
+        "it was made by an older version of striata; build or encode it again"
+    } else {
+        "it was made by a newer version of striata; update this one, or build it again"
+    }
+}
+
+/// Returns the version of a file and the supported one if they are what is wrong.
+fn version_of(error: &(dyn Error + 'static)) -> Option<(u32, u32)> {
+    if let Some(DecodeError::Version { found, supported }) = error.downcast_ref() {
+        return Some((*found, *supported));
+    }
+    match error.downcast_ref()? {
+        SceneStreamError::Version { found, supported } => Some((*found, *supported)),
+        _ => None,
+    }
+}
+
+/// Returns the failure for a name on the command line that is not one of `known`; `what` is the kind of thing it
+/// should name.
 pub fn unknown_name(what: &str, name: &str, known: &[&str]) -> Failure {
     let hint = format!("this version has: {}", known.join(", "));
-    Failure::user(format!("there is no {what} {name:?}")).with_hint(hint)
+    Failure::usage(format!("there is no {what} {name:?}")).with_hint(hint)
 }
 
 #[cfg(test)]

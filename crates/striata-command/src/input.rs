@@ -11,7 +11,7 @@ use striata::mesh::IndexedMesh;
 use striata_io::pieces::is_raster;
 use striata_io::{Format, Place, ReadError, Source, decompressed, read_bytes_with_report, read_with_report};
 
-use crate::failure::{Excerpt, Failure};
+use crate::failure::{Excerpt, Failure, decode_hint};
 use crate::output::Output;
 use crate::shapes::Shape;
 use crate::stream::truncation_note;
@@ -258,8 +258,7 @@ impl Input {
 
     /// Returns the failure for an error in the contents of this file.
     pub fn damaged(&self, error: &striata::file::DecodeError) -> Failure {
-        Failure::user(format!("{}: {error}", self.name))
-            .with_hint("the file is damaged or cut off; copy it again, or build it again")
+        Failure::user(format!("{}: {error}", self.name)).with_hint(decode_hint(error))
     }
 }
 

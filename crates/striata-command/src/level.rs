@@ -148,7 +148,7 @@ pub fn paths_of_levels(levels: &[Level], output: &Path) -> Result<Vec<PathBuf>, 
             }
             _ => format!("level-{PLACEHOLDER}.glb"),
         };
-        return Err(Failure::user(format!(
+        return Err(Failure::usage(format!(
             "{}: --levels needs {PLACEHOLDER} in the output name",
             output.display()
         ))
@@ -162,7 +162,7 @@ pub fn paths_of_levels(levels: &[Level], output: &Path) -> Result<Vec<PathBuf>, 
         let name = pattern.replace(NUMBER, &number.to_string()).replace(PLACEHOLDER, &file_part(&level.text));
         let path = PathBuf::from(name);
         if !seen.insert(path.clone()) {
-            return Err(Failure::user(format!(
+            return Err(Failure::usage(format!(
                 "{}: several levels would be written to this file",
                 path.display()
             ))
@@ -181,7 +181,7 @@ fn path_of_level(text: Option<&str>, output: &Path) -> Result<PathBuf, Failure> 
     match (output.to_str().filter(|pattern| pattern.contains(PLACEHOLDER)), text) {
         (None, _) => Ok(output.to_owned()),
         (Some(pattern), Some(text)) => Ok(PathBuf::from(pattern.replace(PLACEHOLDER, &file_part(text)))),
-        (Some(pattern), None) => Err(Failure::user(format!(
+        (Some(pattern), None) => Err(Failure::usage(format!(
             "{pattern}: {PLACEHOLDER} stands for a level, but none of \
                 --triangles, --ratio and the like was given"
         ))
@@ -254,6 +254,23 @@ pub fn shortfall(target: Target, reached: ReachedLevel, limit: &CoarseningLimit)
     Some(format!("requested {requested}, but {found}: {why}"))
 }
 
+/// Error limits beyond this share of the diagonal are likely meant in another unit.
+const LARGE_ERROR: f64 = 0.05;
+
+/// Warns of an error limit, as a share of the diagonal, that leaves less than a hundredth of the triangles because it is
+/// large. Smaller ones leave as little only of surfaces that are simple, such as boxes.
+pub fn large_error_warning(share: f64, triangle_count: usize, full_count: usize) -> Option<String> {
+    let is_large = share > LARGE_ERROR && triangle_count.saturating_mul(100) < full_count;
+    is_large.then(|| {
+        format!(
+            "the error limit is {:.0}% of the diagonal, and {} of {} triangles are left; limits of 0.1% to 2% are usual",
+            share * 100.0,
+            format_count(triangle_count),
+            format_count(full_count)
+        )
+    })
+}
+
 /// Formats a message about a level that misses its target.
 pub fn shortfall_note(name: Option<&str>, shortfall: &str) -> String {
     let level = name.map_or_else(|| "the level".to_owned(), |name| format!("level {name}"));
@@ -290,6 +307,9 @@ pub struct WrittenLevel {
     pub stop_reason: &'static str,
     /// How the level misses its target; null if it does not.
     pub shortfall: Option<String>,
+    /// Why the target may not be what the user meant.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub warning: Option<String>,
 }
 
 impl WrittenLevel {
@@ -303,6 +323,7 @@ impl WrittenLevel {
             error: None,
             stop_reason: reached.stop_reason.as_str(),
             shortfall: request.target.and_then(|target| shortfall(target, reached, limit)),
+            warning: None,
         }
     }
 
@@ -406,5 +427,14 @@ mod tests {
         assert!(error_limit.contains("60 are left") && error_limit.ends_with("error limit"), "{error_limit}");
         assert!(message(Target::SplitCount(9), reached(99, StopReason::FullMesh)).is_some());
         assert_eq!(message(Target::Error(0.1), reached(99, StopReason::BaseReached)), None);
+    }
+
+    #[test]
+    fn a_large_error_limit_is_questioned_only_if_little_is_left() {
+        let warning = large_error_warning(0.4, 2, 5856).expect("a warning");
+        assert!(warning.contains("40% of the diagonal") && warning.contains("2 of 5,856"), "{warning}");
+        assert_eq!(large_error_warning(0.4, 59, 5856), None);
+        assert_eq!(large_error_warning(0.01, 2, 5856), None);
+        assert_eq!(large_error_warning(f64::NAN, 0, 0), None);
     }
 }

@@ -5,8 +5,8 @@
 //! [`strip_chain`], [`strip_report`], [`fan_cover`], [`stream`] and [`level`] carry out
 //! what the flags ask for; [`page`] formats reports as HTML.
 //!
-//! Data goes to stdout; progress and messages go to stderr. Exit codes: 0 is success, 1 an error that the
-//! user can fix, 2 an internal error.
+//! Data goes to stdout; progress and messages go to stderr. Exit codes: 0 is success, 1 an error in the files or
+//! on the machine, 2 an error on the command line, 3 an internal error.
 
 pub mod args;
 pub mod clock;
@@ -33,39 +33,75 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::failure::{Failure, report_panic};
+use crate::failure::{Failure, FailureKind, panic_message, print_json, report_panic};
 
 /// Parses the words of the command line, runs `work`, and turns the result into an exit code. `hint` may say what to do
-/// about words that cannot be parsed.
+/// about words that cannot be parsed. With `--json` among the words, errors are printed as JSON too.
 pub fn run<C: Parser>(
     words: impl IntoIterator<Item = OsString>,
     hint: impl FnOnce(&clap::Error) -> Option<String>,
     work: impl FnOnce(&C) -> Result<(), Failure>,
 ) -> ExitCode {
+    let words: Vec<OsString> = words.into_iter().collect();
+    // Words that cannot be parsed may ask for JSON too.
+    let is_json = words.iter().take_while(|&word| word != "--").any(|word| word == "--json");
     let cli = match C::try_parse_from(words) {
         Ok(cli) => cli,
-        Err(error) => return print_parser_message(&error, hint(&error)),
+        Err(error) => return print_parser_message(&error, hint(&error), is_json),
     };
     std::panic::set_hook(Box::new(report_panic));
     // After a panic only the exit code is used, so inconsistent state cannot be observed.
     match catch_unwind(AssertUnwindSafe(|| work(&cli))) {
         Ok(Ok(())) => ExitCode::SUCCESS,
-        Ok(Err(failure)) => failure.announce(),
-        Err(_) => ExitCode::from(Failure::INTERNAL_ERROR),
+        Ok(Err(failure)) => failure.announce(is_json),
+        Err(panic) => {
+            if is_json {
+                print_json(FailureKind::Internal, &panic_message(&*panic), None);
+            }
+            ExitCode::from(FailureKind::Internal.exit_code())
+        }
     }
 }
 
 /// Prints what the parser returned instead of arguments: an error, or the text of `--help` or `--version`.
-fn print_parser_message(error: &clap::Error, hint: Option<String>) -> ExitCode {
+fn print_parser_message(error: &clap::Error, hint: Option<String>, is_json: bool) -> ExitCode {
     // If even the terminal is gone, nothing is left to do.
     let _ = error.print();
-    if let Some(hint) = hint {
+    if !error.use_stderr() {
+        return ExitCode::SUCCESS;
+    }
+    if let Some(hint) = &hint {
         let _ = writeln!(io::stderr(), "hint: {hint}");
     }
-    if error.use_stderr() { ExitCode::from(Failure::USER_ERROR) } else { ExitCode::SUCCESS }
+    if is_json {
+        let text = error.render().to_string();
+        let (message, tip) = parts_of_parser_message(&text);
+        print_json(FailureKind::Usage, &message, hint.as_deref().or(tip));
+    }
+    ExitCode::from(FailureKind::Usage.exit_code())
+}
+
+/// Returns the first paragraph of an error of the parser in one line, and the tip that follows, if any.
+fn parts_of_parser_message(text: &str) -> (String, Option<&str>) {
+    let first = text.split("\n\n").next().unwrap_or_default();
+    let words: Vec<&str> = first.trim_start_matches("error: ").split_whitespace().collect();
+    (words.join(" "), text.lines().find_map(|line| line.trim().strip_prefix("tip: ")))
 }
 
 /// The example of the README, compiled as a documentation test.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_of_the_parser_is_one_line_and_a_tip() {
+        let text =
+            "error: unexpected argument '--ration'\n  found\n\n  tip: use '--ratio'\n\nUsage: striata\n";
+        let (message, tip) = parts_of_parser_message(text);
+        assert_eq!((message.as_str(), tip), ("unexpected argument '--ration' found", Some("use '--ratio'")));
+    }
+}

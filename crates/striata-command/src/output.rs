@@ -1,9 +1,11 @@
-//! Printing: data goes to stdout, messages to stderr, and progress bars only to a terminal.
+//! Printing: data goes to stdout, messages to stderr. Progress is a bar in a terminal, and a line every ten seconds
+//! in a pipe or a log.
 
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal, Write};
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
@@ -80,7 +82,7 @@ impl Output {
     /// If both would be written to stdout.
     pub fn check_stdout_is_free(&self, output_to_stdout: bool) -> Result<(), Failure> {
         if self.json && output_to_stdout {
-            return Err(Failure::user("--json and the output cannot both go to stdout")
+            return Err(Failure::usage("--json and the output cannot both go to stdout")
                 .with_hint("write the output to a file"));
         }
         Ok(())
@@ -143,15 +145,16 @@ impl Output {
         debug_assert!(warned.is_ok(), "only strict inputs are errors");
     }
 
-    /// Creates a progress bar for the progress callbacks of the library; invisible unless stderr is a
-    /// terminal.
+    /// Creates a progress bar for the progress callbacks of the library; if stderr is no terminal, lines take its
+    /// place.
     pub fn bar(&self) -> Bar {
         let target =
             if self.draws_bars { ProgressDrawTarget::stderr() } else { ProgressDrawTarget::hidden() };
         let bar = ProgressBar::with_draw_target(Some(0), target);
         let style = ProgressStyle::with_template("{msg:<10} {bar:40} {percent:>3}% {eta}");
         bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
-        Bar { bar, phase: "" }
+        let lines = (!self.quiet && !self.draws_bars).then(ProgressLines::default);
+        Bar { bar, phase: "", lines }
     }
 
     fn json_object(&self, report: &impl Serialize) -> Result<(), Failure> {
@@ -187,6 +190,37 @@ fn json_of(warning: &Warning) -> serde_json::Value {
 pub struct Bar {
     bar: ProgressBar,
     phase: &'static str,
+    lines: Option<ProgressLines>,
+}
+
+/// Progress in lines, for logs and pipes: those who wait see that the command is alive.
+#[derive(Debug)]
+struct ProgressLines {
+    started: Instant,
+    /// Time from the start to the next line.
+    next: Duration,
+}
+
+impl ProgressLines {
+    const INTERVAL: Duration = Duration::from_secs(10);
+
+    /// Returns the line that is due so long after the start, if one is.
+    fn due(&mut self, elapsed: Duration, progress: Progress) -> Option<String> {
+        if elapsed < self.next {
+            return None;
+        }
+        self.next = elapsed + Self::INTERVAL;
+        let Progress { phase, done, total } = progress;
+        // The length of a phase with a single step is unknown.
+        let share = if total > 1 { format!(" {}%", done.saturating_mul(100) / total) } else { String::new() };
+        Some(format!("{phase}{share}, {} s", elapsed.as_secs()))
+    }
+}
+
+impl Default for ProgressLines {
+    fn default() -> Self {
+        Self { started: Instant::now(), next: Self::INTERVAL }
+    }
 }
 
 impl Bar {
@@ -209,6 +243,11 @@ impl Bar {
         }
         self.bar.set_length(progress.total);
         self.bar.set_position(progress.done);
+        if let Some(line) = self.lines.as_mut().and_then(|lines| lines.due(lines.started.elapsed(), progress))
+        {
+            // A closed stderr is no reason to fail.
+            let _ = writeln!(io::stderr(), "{line}");
+        }
         ControlFlow::Continue(())
     }
 }
@@ -346,6 +385,18 @@ mod tests {
         assert_eq!(format_length(1.25), "1.250000");
         assert_eq!(format_length(8.76e-11), "8.760e-11");
         assert_eq!(format_length(7.07e29), "7.070e29");
+    }
+
+    #[test]
+    fn lines_of_progress_are_ten_seconds_apart() {
+        let mut lines = ProgressLines::default();
+        let mut due = |secs, done, total| {
+            lines.due(Duration::from_secs(secs), Progress { phase: "simplify", done, total })
+        };
+        assert_eq!(due(9, 1, 10), None);
+        assert_eq!(due(12, 2, 10).as_deref(), Some("simplify 20%, 12 s"));
+        assert_eq!(due(21, 3, 10), None);
+        assert_eq!(due(22, 0, 1).as_deref(), Some("simplify, 22 s"));
     }
 
     #[test]

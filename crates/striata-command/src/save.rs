@@ -2,11 +2,12 @@
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 use striata::mesh::IndexedMesh;
 use striata_io::{
-    EncodedMesh, FileBatch, Format, Scene, WriteOptions, convert_colors, encode_mesh, encode_scene,
-    needs_other_colors, write_atomically,
+    EncodedMesh, FileBatch, Format, Scene, WriteError, WriteOptions, convert_colors, encode_mesh,
+    encode_scene, needs_other_colors, write_atomically,
 };
 
 use crate::args::{FormatArg, FormatArgs};
@@ -28,26 +29,26 @@ pub fn format_of(path: &Path, args: &FormatArgs) -> Result<Format, Failure> {
         Some(to) => to.into(),
         None if is_stdout(path) => Format::Ply,
         None => Format::from_extension(path).ok_or_else(|| {
-            Failure::user(format!("{}: the extension is not that of a mesh format", path.display()))
+            Failure::usage(format!("{}: the extension is not that of a mesh format", path.display()))
                 .with_hint("use the extension .ply, .obj, .stl, .off, .gltf or .glb, or add --to FORMAT")
         })?,
     };
     if format == Format::Stream {
-        return Err(Failure::user(format!(
+        return Err(Failure::usage(format!(
             "{}: a single level cannot be written as a stream",
             path.display()
         ))
         .with_hint("`striata encode MESH -o OUT.stri` writes streams"));
     }
     if format == Format::Striata {
-        return Err(Failure::user(format!(
+        return Err(Failure::usage(format!(
             "{}: a single level cannot be written as a .striata file",
             path.display()
         ))
         .with_hint("`striata build MESH -o OUT.striata` writes .striata files"));
     }
     if args.ascii && format != Format::Ply {
-        return Err(Failure::user(format!(
+        return Err(Failure::usage(format!(
             "--ascii is for PLY, but {} is written as {format}",
             display_name(path)
         ))
@@ -55,7 +56,7 @@ pub fn format_of(path: &Path, args: &FormatArgs) -> Result<Format, Failure> {
     }
     let flag = args.gltf.first_given_flag().or_else(|| args.gltf.first_plain_flag());
     if let Some(flag) = flag.filter(|_| !matches!(format, Format::Gltf | Format::Glb)) {
-        return Err(Failure::user(format!(
+        return Err(Failure::usage(format!(
             "{flag} is for glTF, but {} is written as {format}",
             display_name(path)
         ))
@@ -242,14 +243,14 @@ pub const DEFAULT_NAME_NOTE: &str = "; use -o to choose another name";
 pub fn default_output_path(input: &Path, extension: &str) -> Result<PathBuf, Failure> {
     let hint = format!("name the output: -o OUT.{extension}");
     if is_stdout(input) {
-        return Err(Failure::user("the input is stdin, which gives the output no name").with_hint(hint));
+        return Err(Failure::usage("the input is stdin, which gives the output no name").with_hint(hint));
     }
     if let Some(shape) = Shape::from_input_name(input)? {
         return Ok(PathBuf::from(format!("{}.{extension}", shape.name())));
     }
     if std::fs::metadata(input).is_ok_and(|there| !there.is_file()) {
         let message = format!("{}: this is not a regular file, so the output needs a name", input.display());
-        return Err(Failure::user(message).with_hint(hint));
+        return Err(Failure::usage(message).with_hint(hint));
     }
     let is_packed = |e: &std::ffi::OsStr| e.eq_ignore_ascii_case("gz") || e.eq_ignore_ascii_case("zst");
     let bare =
@@ -259,9 +260,49 @@ pub fn default_output_path(input: &Path, extension: &str) -> Result<PathBuf, Fai
         || output.canonicalize().is_ok_and(|output| input.canonicalize().is_ok_and(|input| output == input));
     if is_input {
         let message = format!("{}: the output would overwrite the input", input.display());
-        return Err(Failure::user(message).with_hint(hint));
+        return Err(Failure::usage(message).with_hint(hint));
     }
+    check_folder(&output)?;
     Ok(output)
+}
+
+/// Checks that a file can be created or replaced, before the work begins.
+///
+/// # Errors
+/// If the path is a folder, or its folder is missing or cannot be written to.
+pub fn check_place(path: &Path) -> Result<(), Failure> {
+    if path.is_dir() {
+        let source = io::ErrorKind::IsADirectory.into();
+        return Err(WriteError::Io { file: path.display().to_string(), source }.into());
+    }
+    check_folder(path)
+}
+
+/// Checks that the folder of an output exists and takes new files, as outputs are until they are complete.
+/// Addresses of web servers and buckets, pipes and devices have no such folder.
+///
+/// # Errors
+/// If the folder is missing or cannot be written to.
+pub fn check_folder(path: &Path) -> Result<(), Failure> {
+    let is_device = || fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir());
+    if is_stdout(path) || path.to_string_lossy().contains("://") || is_device() {
+        return Ok(());
+    }
+    // The file that a link points to is replaced.
+    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let folder = folder.unwrap_or(Path::new("."));
+    if !folder.is_dir() {
+        let (path, folder) = (path.display(), folder.display());
+        return Err(Failure::user(format!("{path}: the folder {folder} does not exist"))
+            .with_hint("make the output's folder first"));
+    }
+    let tried = tempfile::Builder::new().prefix(".striata-").suffix(".part").tempfile_in(folder);
+    // The name of the temporary file, which some errors have, means nothing to the user.
+    tried.map(drop).map_err(|error| {
+        Failure::user(format!("{}: cannot write to the folder: {}", path.display(), error.kind()))
+            .with_hint("choose a folder that you can write to")
+    })
 }
 
 /// Checks that an output name does not end in `.gz` or `.zst`, since these outputs are not compressed again.
@@ -274,7 +315,7 @@ pub fn check_not_compressed(path: &Path, what: &str) -> Result<(), Failure> {
     if !is_packed || is_stdout(path) {
         return Ok(());
     }
-    Err(Failure::user(format!("{}: {what} are already compressed", path.display()))
+    Err(Failure::usage(format!("{}: {what} are already compressed", path.display()))
         .with_hint("remove .gz or .zst from the name"))
 }
 

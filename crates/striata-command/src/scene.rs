@@ -13,7 +13,7 @@ use striata_scene::textures::{TextureOptions, TextureReport, recode_scene};
 use striata_scene::{BuildError, LodScene, read_glb_with_stream};
 
 use crate::args::{EditArgs, SequenceArgs};
-use crate::failure::Failure;
+use crate::failure::{Failure, decode_hint};
 use crate::input::Input;
 use crate::level::FullMesh;
 use crate::output::{Output, format_bytes, format_count, format_noun_count};
@@ -180,9 +180,8 @@ impl Input {
             .with_hint("build a file with `striata build`, or use `striata simplify` on the scene")
     }
 
-    fn broken(&self, error: &dyn std::error::Error) -> Failure {
-        Failure::user(format!("{}: {error}", self.name))
-            .with_hint("the file is damaged or cut off; copy it again, or build it again")
+    fn broken(&self, error: &(dyn std::error::Error + 'static)) -> Failure {
+        Failure::user(format!("{}: {error}", self.name)).with_hint(decode_hint(error))
     }
 }
 

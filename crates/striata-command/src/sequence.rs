@@ -131,7 +131,7 @@ impl SequencePlan {
     /// If the plan is not in quadric order.
     pub fn use_batches(&mut self, terms: BatchSettings) -> Result<(), Failure> {
         let Self::Quadric { batches, .. } = self else {
-            return Err(Failure::user(
+            return Err(Failure::usage(
                 "a stream with other models requires collapses in quadric order, to existing vertices",
             )
             .with_hint("remove --order and --new-vertices, or make the stream alone with `striata encode`"));
@@ -277,7 +277,7 @@ impl SequenceArgs {
         if let Some(flag) = misplaced {
             let order = self.order.as_str();
             let other = if removal_order.is_none() { "hausdorff" } else { "quadric" };
-            return Err(Failure::user(format!("{flag} has no meaning in {order} order"))
+            return Err(Failure::usage(format!("{flag} has no meaning in {order} order"))
                 .with_hint(format!("use --order {other}, or remove {flag}")));
         }
         self.check_new_vertices()?;
@@ -334,7 +334,7 @@ impl SequenceArgs {
         let flags = [("--cost", self.cost.is_some()), ("--pair-distance", self.pair_distance.is_some())];
         match flags.into_iter().find(|&(_, is_given)| is_given && self.new_vertices.is_some()) {
             None => Ok(()),
-            Some((flag, _)) => Err(Failure::user(format!("{flag} does not work with --new-vertices"))
+            Some((flag, _)) => Err(Failure::usage(format!("{flag} does not work with --new-vertices"))
                 .with_hint(format!("remove --new-vertices or {flag}"))),
         }
     }

@@ -42,7 +42,7 @@ impl Shape {
             return Ok(Some(shape));
         }
         let names: Vec<&str> = SHAPES.iter().map(|shape| shape.name).collect();
-        Err(Failure::user(format!("there is no shape {name:?}")).with_hint(format!(
+        Err(Failure::usage(format!("there is no shape {name:?}")).with_hint(format!(
             "there are: {}; to read a file with this name, write ./{PREFIX}{name}",
             names.join(", ")
         )))

@@ -90,6 +90,8 @@ def test_errors_of_files(tmp_path, torus):
         striata.open(tmp_path)
     with pytest.raises(FileNotFoundError):
         striata.save(tmp_path / "no" / "such.ply", torus)
+    with pytest.raises(TypeError, match="the file comes first"):
+        striata.save(torus, tmp_path / "a.ply")
     broken = tmp_path / "broken.off"
     broken.write_text("OFF\n3 1 0\n0 0 0\n1 0 x\n")
     with pytest.raises(striata.DecodeError, match="line 4"):

@@ -1,5 +1,7 @@
 """`build`, levels, views, the sequence, and distances."""
 
+import pickle
+
 import numpy as np
 import pytest
 import striata
@@ -175,3 +177,16 @@ def test_distances(torus):
 def test_lods_cannot_be_made_by_hand():
     with pytest.raises(TypeError, match=r"striata\.build"):
         striata.Lod()
+
+
+def test_lods_are_pickled(terrain):
+    offset = np.array([5e6, 4e5, 0])
+    for points in (terrain[0], terrain[0].astype(np.float64) + offset):
+        lod = striata.build(points, terrain[1])
+        copy = pickle.loads(pickle.dumps(lod))
+        assert repr(copy) == repr(lod)
+        for ratio in (1.0, 0.1):
+            level, copied = lod.level(ratio=ratio), copy.level(ratio=ratio)
+            assert copied.error == level.error
+            assert np.allclose(copied.points, level.points, rtol=0, atol=1e-6)
+            assert sorted(map(sorted, copied.faces.tolist())) == sorted(map(sorted, level.faces.tolist()))

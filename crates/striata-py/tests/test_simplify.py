@@ -235,3 +235,10 @@ def test_objects_that_are_no_meshes_are_refused(terrain):
             striata.simplify(thing, ratio=0.5)
     with pytest.raises(ValueError, match="faces are missing"):
         striata.simplify(terrain[0], ratio=0.5)
+
+
+def test_targets_by_position_are_explained(terrain):
+    with pytest.raises(TypeError, match=r"target_reduction=0\.9 .* ratio=0\.1\)"):
+        striata.simplify(*terrain, 0.9)
+    with pytest.raises(TypeError, match="triangles=500,"):
+        striata.simplify(*terrain, 500)

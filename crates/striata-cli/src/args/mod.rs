@@ -36,8 +36,8 @@ pub(crate) use self::strips::StripArgs;
     version,
     about = "Continuous level of detail for triangle meshes",
     // Without a usage line, which the heading of the verbs makes redundant, the help fits one screen.
-    help_template = "{all-args}\nFormats: .ply .obj .stl .off .gltf .glb .stri, .gz, .zst; \
-        - is stdin or stdout.",
+    help_template = "{all-args}\nFormats: .ply .obj .stl .off .gltf .glb .stri .gz .zst. \
+        See also: completions",
     subcommand_value_name = "VERB",
     subcommand_help_heading = "Continuous level of detail for triangle meshes (`striata VERB --help` for more)",
     disable_help_subcommand = true,

@@ -147,11 +147,11 @@ impl StripArgs {
     /// If there is more than one stripifier or a time budget, neither of which works with blocks.
     pub(crate) fn only_stripifier(&self) -> Result<StripOptions, Failure> {
         if self.search.budget.is_some() {
-            return Err(Failure::user("--budget cannot be used with --block-triangles")
+            return Err(Failure::usage("--budget cannot be used with --block-triangles")
                 .with_hint("remove --budget: each block gets a fixed number of moves"));
         }
         let stripifier = self.strips.only().ok_or_else(|| {
-            Failure::user(format!("--strips {}: --block-triangles takes a single stripifier", self.strips))
+            Failure::usage(format!("--strips {}: --block-triangles takes a single stripifier", self.strips))
                 .with_hint("name only the last stripifier of the chain")
         })?;
         Ok(self.search.options(stripifier))

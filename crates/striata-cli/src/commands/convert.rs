@@ -8,7 +8,7 @@ use crate::args::ConvertArgs;
 use striata_command::failure::Failure;
 use striata_command::output::{Output, format_count, format_noun_count};
 use striata_command::save::{
-    Primitives, display_name, format_of, georeference_of, is_stdout, write_mesh, write_scene,
+    Primitives, check_place, display_name, format_of, georeference_of, is_stdout, write_mesh, write_scene,
 };
 use striata_command::scene::{edited, with_mesh_textures, with_textures};
 
@@ -32,6 +32,7 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     let path = args.output.path();
     output.check_stdout_is_free(is_stdout(path))?;
     let format = format_of(path, &args.output.format)?;
+    check_place(path)?;
     let input = paged::open_input(&args.input, usize::MAX)?;
     let textures = args.textures.options();
     let report = if format.has_scenes() && input.scene_kind().is_some() && !args.scene.flat {

@@ -54,6 +54,7 @@ fn decode<S: LevelSource>(
         default_target: Target::Detail(1.0),
         is_strict: false,
         format: &args.output.format,
+        max_error: None,
         started,
     };
     write_levels(source, &job, output)

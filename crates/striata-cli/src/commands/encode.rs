@@ -21,8 +21,8 @@ use striata_command::output::{
     Bar, Output, Table, format_bytes, format_count, format_duration, format_length,
 };
 use striata_command::save::{
-    DEFAULT_NAME_NOTE, check_not_compressed, default_output_path, display_name, georeference_of, is_stdout,
-    write_bytes,
+    DEFAULT_NAME_NOTE, check_not_compressed, check_place, default_output_path, display_name, georeference_of,
+    is_stdout, write_bytes,
 };
 use striata_command::scene::with_mesh_textures;
 use striata_command::sequence::{Limits, SequencePlan, SimplifiedSteps};
@@ -43,6 +43,7 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     output.check_stdout_is_free(is_stdout(&path))?;
     check_not_compressed(&path, "streams")?;
     let format = format_of_output(&path)?;
+    check_place(&path)?;
     let mut phases = Phases::new(&PHASES);
     let mut bar = output.bar();
     phases.enter("read");
@@ -109,7 +110,7 @@ fn format_of_output(path: &Path) -> Result<Format, Failure> {
     match Format::from_extension(path) {
         Some(format @ (Format::Striata | Format::Glb)) => Ok(format),
         None | Some(Format::Stream) => Ok(Format::Stream),
-        Some(_) => Err(Failure::user(format!("{}: `encode` writes streams", path.display()))
+        Some(_) => Err(Failure::usage(format!("{}: `encode` writes streams", path.display()))
             .with_hint("use the extension .stri, .glb or .striata; `striata convert` writes meshes")),
     }
 }

@@ -47,7 +47,7 @@ fn of_input(
     output: &Output,
 ) -> Result<LevelsReport, Failure> {
     if args.view.is_given() && args.eye.eye.is_none() {
-        return Err(Failure::user("flags of a view were given without --eye")
+        return Err(Failure::usage("flags of a view were given without --eye")
             .with_hint("use --eye instead of the other level, or remove these flags"));
     }
     if input.scene_kind().is_some() || args.levels.lod_chain {
@@ -75,7 +75,7 @@ fn of_input(
     if let Some(name) =
         model.filter(|&name| args.detail_box.is_some() && name != ModelKind::Patterns.as_str())
     {
-        return Err(Failure::user(format!("model {name} does not support --detail-box"))
+        return Err(Failure::usage(format!("model {name} does not support --detail-box"))
             .with_hint("remove --model, or use --model patterns"));
     }
     let mut source = FileSource::new(file, model, args.form, input)?;
@@ -115,6 +115,7 @@ fn extract<S: LevelSource>(
         default_target: Target::Detail(1.0),
         is_strict: args.strict,
         format: &args.output.format,
+        max_error: None,
         started,
     };
     write_levels(source, &job, output)

@@ -83,7 +83,7 @@ fn check_inputs_stay(cli: &Cli) -> Result<(), Failure> {
         _ => "choose another name, or add --force",
     };
     let message = format!("{}: the output would overwrite the input", output.display());
-    Err(Failure::user(message).with_hint(way_out))
+    Err(Failure::usage(message).with_hint(way_out))
 }
 
 /// Checks that `--json` is given only to verbs that report something.
@@ -102,5 +102,5 @@ fn check_json(cli: &Cli) -> Result<(), Failure> {
     if !cli.report.json {
         return Ok(());
     }
-    Err(Failure::user(format!("`{verb}` has no JSON report")).with_hint("remove --json"))
+    Err(Failure::usage(format!("`{verb}` has no JSON report")).with_hint("remove --json"))
 }

@@ -36,7 +36,7 @@ impl ChosenPlacement {
         match (args.placement, fixed) {
             (Some(PlacementArg::Subset), _) => Ok(Self::Subset),
             (Some(PlacementArg::Optimal), Some((flag, _))) => {
-                Err(Failure::user(format!("{flag} does not work with --placement optimal"))
+                Err(Failure::usage(format!("{flag} does not work with --placement optimal"))
                     .with_hint(format!("remove --placement optimal or {flag}")))
             }
             (Some(PlacementArg::Optimal), None) => Ok(Self::Optimal),

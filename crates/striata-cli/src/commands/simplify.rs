@@ -80,6 +80,7 @@ fn job(args: &SimplifyArgs, requests: Vec<LevelRequest>, started: Instant) -> Le
         default_target: Target::Detail(-1.0),
         is_strict: args.strict,
         format: &args.output.format,
+        max_error: args.max_error,
         started,
     }
 }

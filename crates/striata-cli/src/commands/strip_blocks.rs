@@ -12,7 +12,7 @@ use crate::args::StripArgs;
 use striata_command::clock::peak_rss_bytes;
 use striata_command::failure::Failure;
 use striata_command::output::{Output, Table, format_bytes, format_count, format_duration};
-use striata_command::save::{format_of, is_stdout};
+use striata_command::save::{check_place, format_of, is_stdout};
 use striata_command::shapes::Shape;
 
 #[derive(Serialize)]
@@ -105,18 +105,18 @@ pub(crate) fn run(args: &StripArgs, block_triangles: usize, output: &Output) -> 
 /// If the input or output is not a file, or the format cannot be written block by block.
 fn check_files(args: &StripArgs) -> Result<Option<Format>, Failure> {
     if args.weld {
-        return Err(Failure::user("--weld needs the whole mesh in memory")
+        return Err(Failure::usage("--weld needs the whole mesh in memory")
             .with_hint("remove --weld or --block-triangles"));
     }
     if !is_generated(&args.input) && Shape::from_input_name(&args.input)?.is_some() {
-        return Err(Failure::user(format!(
+        return Err(Failure::usage(format!(
             "{}: --block-triangles needs an input file",
             args.input.display()
         ))
         .with_hint("use shape:terrain:N, or write a file first: striata convert SHAPE OUT.ply"));
     }
     if is_stdout(&args.input) {
-        return Err(Failure::user(
+        return Err(Failure::usage(
             "stdin: --block-triangles needs an input file, which it reads several times",
         )
         .with_hint("name a .ply, .stl, .obj, .off or .glb file"));
@@ -124,14 +124,18 @@ fn check_files(args: &StripArgs) -> Result<Option<Format>, Failure> {
     let Some(path) = &args.output else { return Ok(None) };
     if is_stdout(path) {
         return Err(
-            Failure::user("stdout: --block-triangles needs an output file").with_hint("name an output file")
+            Failure::usage("stdout: --block-triangles needs an output file").with_hint("name an output file")
         );
     }
     let format = format_of(path, &args.format())?;
     if !matches!(format, Format::Glb | Format::Ply) {
-        return Err(Failure::user(format!("{}: {format} files cannot be written in blocks", path.display()))
-            .with_hint("write .glb or .ply"));
+        return Err(Failure::usage(format!(
+            "{}: {format} files cannot be written in blocks",
+            path.display()
+        ))
+        .with_hint("write .glb or .ply"));
     }
+    check_place(path)?;
     Ok(Some(format))
 }
 

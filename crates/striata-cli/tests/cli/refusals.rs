@@ -1,4 +1,4 @@
-//! Bad input: clear errors with file, position and reason; exit code 1; no partially written output.
+//! Bad input: clear errors with file, position and reason; no partially written output.
 
 use crate::workbench::{Workbench, sphere};
 

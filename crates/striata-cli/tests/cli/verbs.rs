@@ -256,7 +256,7 @@ fn a_view_is_finer_in_a_region_and_coarser_away_from_the_gaze() {
     assert!(gazed < fine, "{gazed} with the gaze, {fine} without");
     assert_eq!(count("--pixels 0.3 --gaze 0.9,0.9 --gaze-falloff 0"), fine);
     for wrong in ["--region 1,2,3", "--gaze 0,2", "--region-pixels 1", "--gaze-falloff 1"] {
-        bench.run(&format!("extract ball.striata -o x.ply --eye 0,0,3 {wrong}")).code(1);
+        bench.run(&format!("extract ball.striata -o x.ply --eye 0,0,3 {wrong}")).code(2);
     }
 }
 
@@ -529,7 +529,7 @@ fn meshes_can_be_piped() {
     assert!(ply.starts_with(b"ply\nformat binary"));
     let info = bench.command("info - --json").write_stdin(ply).assert().success();
     assert!(String::from_utf8_lossy(&info.get_output().stdout).contains("\"kind\":\"ply\""));
-    let both = bench.command("convert sphere.obj - --json").assert().code(1);
+    let both = bench.command("convert sphere.obj - --json").assert().code(2);
     assert!(String::from_utf8_lossy(&both.get_output().stderr).contains("hint:"));
 }
 

@@ -72,11 +72,21 @@ impl Workbench {
         value
     }
 
-    /// Runs the command, which must fail with exit code 1, and returns its stderr.
+    /// Runs the command, which must fail because of its files or its words, and returns its stderr. With `--json`,
+    /// stdout has an object that says the same.
     pub(crate) fn refused(&self, arguments: &str) -> String {
-        let assert = self.run(arguments).code(1).stdout("");
-        let stderr = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
+        let assert = self.run(arguments).failure();
+        let output = assert.get_output();
+        let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(matches!(output.status.code(), Some(1 | 2)), "{:?}: {stderr}", output.status);
         assert!(!stderr.contains("panicked"), "{stderr}");
+        if arguments.contains("--json") {
+            let printed: Value = serde_json::from_slice(&output.stdout).expect("one JSON object on stdout");
+            let kind = if output.status.code() == Some(2) { "usage" } else { "failed" };
+            assert_eq!(printed["error"]["kind"], kind, "{printed}");
+        } else {
+            assert_eq!(output.stdout, b"", "{stderr}");
+        }
         stderr
     }
 }

@@ -274,7 +274,7 @@ impl Viewport {
         if width.max(height) <= Self::MAX_SIDE {
             return Ok(());
         }
-        Err(Failure::user(format!("--size {width}x{height} is too large"))
+        Err(Failure::usage(format!("--size {width}x{height} is too large"))
             .with_hint(format!("each side may have at most {} pixels", Self::MAX_SIDE)))
     }
 }

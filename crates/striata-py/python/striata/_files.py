@@ -108,6 +108,8 @@ def save(
     ...     striata.open(path)
     <striata.Lod: 128 points, 256 faces, ...>
     """
+    if isinstance(model, (str, os.PathLike)) and not isinstance(path, (str, os.PathLike)):
+        raise TypeError(f"the file comes first: striata.save({os.fspath(model)!r}, mesh)")
     is_level = isinstance(model, (Level, SceneLevel))
     if isinstance(model, SceneLevel):
         model = model.to_scene()

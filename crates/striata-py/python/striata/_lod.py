@@ -31,7 +31,8 @@ class Lod(Generic[AnyMesh]):
     """Every level of detail of one mesh, over a single array of points.
 
     Made by `build`, `open` and `decode`. Points are in refinement order, so each level uses the first
-    points only. Immutable; safe to use from several threads.
+    points only. Immutable; safe to use from several threads. Pickled as the bytes of a ``.striata`` file, which do not
+    know the order of the input: `vertices` of a copy counts from 0.
 
     Examples
     --------
@@ -239,6 +240,9 @@ class Lod(Generic[AnyMesh]):
         """Return faces in the dtype of the input."""
         return faces if self._input is None else as_dtype(faces, self._input.faces.dtype)
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_of_bytes, (self._data.to_striata(self._offset),))
+
     def __repr__(self) -> str:
         counts = f"{counted(self.point_count, 'point')}, {counted(self.face_count, 'face')}"
         base = counted(self._data.level_facts(0)[0], "face")
@@ -250,3 +254,8 @@ class Lod(Generic[AnyMesh]):
             level = self.level(ratio=share)
             rows.append((f"{share:.0%}", f"{level.triangle_count:,}", f"{level.vertex_count:,}", f"{level.error:.3g}"))
         return notebook_html(self._mesh_data(), rows)
+
+
+def _of_bytes(content: bytes) -> Lod[Any]:
+    """Return the levels in the bytes of a ``.striata`` file."""
+    return Lod._of(_striata.decode(content, False, None))

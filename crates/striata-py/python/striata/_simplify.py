@@ -5,8 +5,9 @@ Each overload lists all options, because stubtest does not understand them as on
 
 from __future__ import annotations
 
+import functools
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, TypeVar, overload
 
 from numpy.typing import ArrayLike
@@ -25,6 +26,30 @@ from ._targets import Targets
 
 #: Type of a mesh that comes back as the same type.
 SomeMesh = TypeVar("SomeMesh", bound=MeshObject | Scene)
+
+
+def _advice(target: Any) -> str:
+    """Say how a target is written that was passed by position, as other packages take it."""
+    problem = "the target of simplify has a name"
+    if isinstance(target, float) and 0.0 < target < 1.0:
+        return (
+            f"{problem}: target_reduction={target} removes that share of the faces, as the third argument of "
+            f"fast_simplification.simplify does (the same as ratio={1.0 - target:.6g}); ratio={target} keeps it"
+        )
+    triangles = target if isinstance(target, int) else 5000
+    return f"{problem}: triangles={triangles}, ratio=0.1, error='0.1%', ..."
+
+
+def _with_advice(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Explain targets that are passed by position, which Python would only count."""
+
+    @functools.wraps(function)
+    def checked(*arguments: Any, **options: Any) -> Any:
+        if len(arguments) > 2:
+            raise TypeError(_advice(arguments[2]))
+        return function(*arguments, **options)
+
+    return checked
 
 
 @overload
@@ -123,6 +148,7 @@ def simplify(
     pair_distance: float | None = None,
     progress: Progress = False,
 ) -> Mesh: ...
+@_with_advice
 def simplify(
     mesh: Any,
     faces: ArrayLike | None = None,

@@ -121,7 +121,7 @@ fn show_in_browser(files: &[PathBuf], output: &Output) -> Result<(), Failure> {
     let [file] = files else {
         let message = format!("--browser takes one file, but {} were given", files.len());
         return Err(
-            Failure::user(message).with_hint("use `striata serve FOLDER` to show all models of a folder")
+            Failure::usage(message).with_hint("use `striata serve FOLDER` to show all models of a folder")
         );
     };
     serve::show_in_browser(file, output)

@@ -27,7 +27,7 @@ use striata_command::input::Input;
 use striata_command::level::{FullMesh, check_strict};
 use striata_command::output::Output;
 use striata_command::save::{
-    check_not_compressed, default_output_path, display_name, is_stdout, write_bytes,
+    check_not_compressed, check_place, default_output_path, display_name, is_stdout, write_bytes,
 };
 use striata_command::scene::with_mesh_textures;
 use striata_command::sequence::{Limits, SequencePlan, limit_in_units};
@@ -54,6 +54,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     check_stream_flags(args, &models)?;
     check_strip_flags(args, &models)?;
     check_overlap_errors(args, &models)?;
+    check_place(&path)?;
     let mut phases = Phases::new(&PHASES);
     let mut bar = output.bar();
     phases.enter("read");
@@ -151,7 +152,7 @@ fn check_paged_flags(args: &BuildArgs) -> Result<(), Failure> {
     } else {
         (" (the input is too large for memory)", format!("remove {flag}"))
     };
-    Err(Failure::user(format!("{name}: a paged file{reason} does not support {flag}")).with_hint(hint))
+    Err(Failure::usage(format!("{name}: a paged file{reason} does not support {flag}")).with_hint(hint))
 }
 
 /// Returns the largest number of triangles of the base mesh, if limited.
@@ -182,7 +183,7 @@ fn adapt_retriangulation(
     let options = match sequence {
         SequencePlan::Hausdorff(options) => options,
         SequencePlan::Placed(_) => {
-            return Err(Failure::user(format!("model {model} does not support new vertices"))
+            return Err(Failure::usage(format!("model {model} does not support new vertices"))
                 .with_hint("use --models patterns,fans, or remove --new-vertices"));
         }
         SequencePlan::Quadric { .. } => return Ok(None),
@@ -191,7 +192,7 @@ fn adapt_retriangulation(
         return Ok(None);
     }
     if is_free {
-        return Err(Failure::user(format!("model {model} does not support free retriangulation"))
+        return Err(Failure::usage(format!("model {model} does not support free retriangulation"))
             .with_hint("remove --retriangulation, or the model"));
     }
     options.retriangulation = Retriangulation::Collapse;
@@ -213,7 +214,7 @@ fn models_of_names(names: &[String]) -> Result<Vec<ModelKind>, Failure> {
 fn check_stream_flags(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
     match args.stream_encoding.first_given_flag() {
         Some(flag) if !models.contains(&ModelKind::Progressive) => {
-            Err(Failure::user(format!("{flag} has no effect without a stream"))
+            Err(Failure::usage(format!("{flag} has no effect without a stream"))
                 .with_hint(format!("add --models progressive, or remove {flag}")))
         }
         _ => Ok(()),
@@ -226,7 +227,7 @@ fn check_stream_flags(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Fail
 /// If there are no patterns.
 fn check_overlap_errors(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
     if args.overlap_errors && !models.contains(&ModelKind::Patterns) {
-        return Err(Failure::user("--overlap-errors has no effect without patterns")
+        return Err(Failure::usage("--overlap-errors has no effect without patterns")
             .with_hint("add --models patterns, or remove --overlap-errors"));
     }
     Ok(())
@@ -238,12 +239,12 @@ fn check_overlap_errors(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Fa
 /// If they are given without such a model.
 fn check_strip_flags(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failure> {
     if args.max_strip_indices.is_some() && !models.contains(&ModelKind::LodStrips) {
-        return Err(Failure::user("--max-strip-indices has no effect without LodStrips")
+        return Err(Failure::usage("--max-strip-indices has no effect without LodStrips")
             .with_hint("add --models lodstrips, or remove --max-strip-indices"));
     }
     match args.strip_flag() {
         Some(flag) if !models.iter().any(takes_strips) => {
-            Err(Failure::user(format!("{flag} has no effect without a model that has strips"))
+            Err(Failure::usage(format!("{flag} has no effect without a model that has strips"))
                 .with_hint(format!("add --models lodstrips or mts, or remove {flag}")))
         }
         _ => Ok(()),
@@ -259,7 +260,7 @@ fn format_of_output(path: &Path) -> Result<Format, Failure> {
     match Format::from_extension(path) {
         None | Some(Format::Striata) => Ok(Format::Striata),
         Some(Format::Glb) => Ok(Format::Glb),
-        Some(_) => Err(Failure::user(format!("{}: `build` writes .striata and .glb files", path.display()))
+        Some(_) => Err(Failure::usage(format!("{}: `build` writes .striata and .glb files", path.display()))
             .with_hint("`striata simplify` writes one level as a mesh")),
     }
 }

@@ -27,10 +27,10 @@ use striata_command::args::{
 };
 use striata_command::failure::Failure;
 use striata_command::level::{
-    CoarseningLimit, FullMesh, LevelRequest, ReachedLevel, WrittenLevel, check_paths,
+    CoarseningLimit, FullMesh, LevelRequest, ReachedLevel, WrittenLevel, check_paths, large_error_warning,
 };
 use striata_command::output::Output;
-use striata_command::save::{LevelFiles, format_of};
+use striata_command::save::{LevelFiles, check_place, format_of};
 
 /// A source of levels that the command can write and report.
 pub(super) trait LevelSource {
@@ -81,6 +81,8 @@ pub(super) struct LevelJob<'a> {
     pub default_target: Target,
     pub is_strict: bool,
     pub format: &'a FormatArgs,
+    /// Error limit of a level without a target.
+    pub max_error: Option<Length>,
     /// When the verb began.
     pub started: Instant,
 }
@@ -129,8 +131,15 @@ pub(super) fn write_levels<S: LevelSource>(
             ..LevelDetails::default()
         };
         source.describe(&found, &mut details);
-        let written = written_level(source, request, &found);
+        let mut written = written_level(source, request, &found);
         written.check_strict(job.is_strict)?;
+        let limit = match request.target {
+            Some(Target::Error(error)) => Some(Length::Absolute(error)),
+            Some(_) => None,
+            None => job.max_error,
+        };
+        written.warning = coarseness_warning(source, limit, found.triangle_count)?;
+        written.warning.iter().for_each(|warning| output.say(&format!("warning: {warning}")));
         source.write(&found, &mut files, &request.path)?;
         let secs = job.started.elapsed().as_secs_f64();
         reports.push(LevelReport {
@@ -154,6 +163,24 @@ fn written_level<S: LevelSource>(
     let &FoundLevel { vertex_count, triangle_count, stop_reason, error, .. } = found;
     let reached = ReachedLevel { vertex_count, triangle_count, stop_reason };
     WrittenLevel { error, ..WrittenLevel::new(request, reached, &source.limit()) }.with_short_error()
+}
+
+/// Warns if an error limit is so large that it leaves almost nothing: the user may have meant another unit.
+///
+/// # Errors
+/// If the source is damaged.
+fn coarseness_warning<S: LevelSource>(
+    source: &mut S,
+    limit: Option<Length>,
+    triangle_count: usize,
+) -> Result<Option<String>, Failure> {
+    let full_count = source.levels().facts().triangle_count;
+    let Some(limit) = limit.filter(|_| triangle_count.saturating_mul(100) < full_count) else {
+        return Ok(None);
+    };
+    let bounds = source.levels().bounds().map_err(|error| source.failure(error))?;
+    let diagonal = bounds.map_or(0.0, |bounds| bounds.diagonal());
+    Ok(large_error_warning(limit.in_units(diagonal) / diagonal, triangle_count, full_count))
 }
 
 /// A level of varying detail that was asked for.
@@ -287,15 +314,16 @@ pub(super) fn check_outputs(
 ) -> Result<(), Failure> {
     let (output, format) = (output.path(), &output.format);
     if levels.lod_chain && levels.levels.is_none() {
-        return Err(Failure::user("--lod-chain was given without --levels")
+        return Err(Failure::usage("--lod-chain was given without --levels")
             .with_hint("name the coarser levels: --levels 50%,10% --lod-chain"));
     }
     if levels.lod_chain && output.to_string_lossy().contains("{}") {
         let message = format!("{}: --lod-chain writes all levels to one file", output.display());
-        return Err(Failure::user(message).with_hint("remove {} from the name"));
+        return Err(Failure::usage(message).with_hint("remove {} from the name"));
     }
     for path in check_paths(level, levels, output)? {
         format_of(&path, format)?;
+        check_place(&path)?;
     }
     if levels.lod_chain {
         chain_format(output, format)?;

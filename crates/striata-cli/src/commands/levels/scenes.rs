@@ -166,7 +166,7 @@ impl<'a> LevelSource for SceneSource<'a> {
 pub(in crate::commands) fn chain_format(path: &Path, args: &FormatArgs) -> Result<Format, Failure> {
     match format_of(path, args)? {
         format @ (Format::Gltf | Format::Glb) => Ok(format),
-        format => Err(Failure::user(format!(
+        format => Err(Failure::usage(format!(
             "--lod-chain is for glTF, but {} is written as {format}",
             display_name(path)
         ))

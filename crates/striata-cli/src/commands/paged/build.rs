@@ -9,6 +9,7 @@ use striata_command::args::{Count, Length};
 use striata_command::failure::Failure;
 use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall};
 use striata_command::output::{Output, format_bytes, format_count, format_duration};
+use striata_command::save::check_folder;
 use striata_command::sequence::StepKind;
 use striata_paged::build::{
     BuildInput, BuildOptions, BuildPaths, Limit, PagedBuildError, PagedPlan, WorkLock, is_address,
@@ -53,7 +54,8 @@ pub(crate) fn build(
     let folder = work_folder(path, args.work.as_deref());
     let memory_threads = args.memory.map_or(usize::MAX, |size| threads_for_memory(size.0, options.cell));
     let threads = args.threads.unwrap_or_else(core_count).clamp(1, memory_threads);
-    check_output(path)?;
+    // Hours of work lie ahead.
+    check_folder(path)?;
     check_input_space(&input, &folder)?;
     let mut lock = WorkLock::claim(&folder).map_err(failure)?;
     if args.restart {
@@ -193,16 +195,6 @@ fn known_plan(
     }
     plan.check_inputs().map_err(failure)?;
     Ok(Some(plan))
-}
-
-/// Checks that the folder of the output exists, before hours of work.
-fn check_output(path: &Path) -> Result<(), Failure> {
-    match path.parent().filter(|_| !is_address(path)) {
-        Some(folder) if !folder.as_os_str().is_empty() && !folder.is_dir() => {
-            Err(Failure::user(format!("{}: the folder {} does not exist", path.display(), folder.display())))
-        }
-        _ => Ok(()),
-    }
 }
 
 /// Checks that the disks have room for what is missing of the work folder and for the result.

@@ -89,7 +89,7 @@ pub(super) fn build_input(paths: &[PathBuf]) -> Result<BuildInput, Failure> {
     let name = path.to_string_lossy();
     let Some(shape) = name.strip_prefix(SHAPE) else { return Ok(BuildInput::Files(paths.to_vec())) };
     let wrong = || {
-        Failure::user(format!("{name}: not a generated input of an out-of-core build"))
+        Failure::usage(format!("{name}: not a generated input of an out-of-core build"))
             .with_hint("use shape:terrain:SAMPLES_PER_SIDE or shape:tiles:COUNT:FILE")
     };
     let mut words = shape.splitn(3, ':');
@@ -115,7 +115,7 @@ pub(super) fn build_options(args: &CellArgs, output: &Output) -> Result<BuildOpt
     let mut options = BuildOptions { exact, allow_merging, ..BuildOptions::default() };
     if let Some(cell) = args.cell {
         if !(1000..=1_000_000).contains(&cell) {
-            return Err(Failure::user(format!("--cell is {cell}, but must be 1000 to 1000000")));
+            return Err(Failure::usage(format!("--cell is {cell}, but must be 1000 to 1000000")));
         }
         if cell < 16_000 {
             output.say("note: cells of fewer than 16,000 triangles cost accuracy");
@@ -126,12 +126,12 @@ pub(super) fn build_options(args: &CellArgs, output: &Output) -> Result<BuildOpt
         Some(Length::Absolute(distance)) if distance > 0.0 && distance.is_finite() => Some(distance),
         None => None,
         Some(_) => {
-            return Err(Failure::user("--weld-distance must be a length in mesh units, larger than 0"));
+            return Err(Failure::usage("--weld-distance must be a length in mesh units, larger than 0"));
         }
     };
     if let Some(z_scale) = args.z_scale {
         if !z_scale.is_finite() || z_scale == 0.0 {
-            return Err(Failure::user("--z-scale must be a number other than 0"));
+            return Err(Failure::usage("--z-scale must be a number other than 0"));
         }
         options.z_scale = z_scale;
     }

@@ -14,9 +14,9 @@ pub(crate) use plan::plan;
 pub(crate) use run::run;
 pub(crate) use source::{is_paged_file, open_input};
 
-use striata_command::failure::Failure;
-use striata_paged::PagedError;
+use striata_command::failure::{Failure, version_hint};
 use striata_paged::build::PagedBuildError;
+use striata_paged::{HeadDefect, PagedError};
 
 /// Converts an error of a build.
 fn failure(error: PagedBuildError) -> Failure {
@@ -52,6 +52,7 @@ fn core_count() -> usize {
 pub(crate) fn failure_of(error: PagedError) -> Failure {
     let failure = Failure::user(error.to_string());
     match error {
+        PagedError::Head(HeadDefect::Version(found)) => failure.with_hint(version_hint(found, 1)),
         PagedError::Checksum { .. } | PagedError::Head(_) | PagedError::Page { .. } => {
             failure.with_hint("the file is damaged or cut off; copy it or build it again")
         }

@@ -36,7 +36,7 @@ pub(crate) fn plan(args: &PlanArgs, output: &Output) -> Result<(), Failure> {
     let options = limited(build_options(&args.cells, output)?, &args.limits);
     let folder = work_folder(&args.output, args.work.as_deref());
     if let Some(wrong) = args.workers.iter().find(|n| !(1..=MAX_WORKERS).contains(*n)) {
-        return Err(Failure::user(format!("--workers has {wrong}, but must be 1 to {MAX_WORKERS}")));
+        return Err(Failure::usage(format!("--workers has {wrong}, but must be 1 to {MAX_WORKERS}")));
     }
     let threads = args.threads.unwrap_or_else(core_count);
     let mut bar = output.bar();

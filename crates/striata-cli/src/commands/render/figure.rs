@@ -109,7 +109,7 @@ impl Figure {
 }
 
 fn without_steps() -> Failure {
-    Failure::user("--colors fragments shows uniform levels of one mesh, not views or paged files")
+    Failure::usage("--colors fragments shows uniform levels of one mesh, not views or paged files")
         .with_hint("use --triangles or --levels, or other --colors")
 }
 

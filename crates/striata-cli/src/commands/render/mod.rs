@@ -24,7 +24,7 @@ use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::{FullMesh, check_strict};
 use striata_command::output::{Bar, Output};
-use striata_command::save::{is_stdout, write_bytes};
+use striata_command::save::{check_place, is_stdout, write_bytes};
 use striata_paged::PagedFile;
 use striata_viewer::picture::{Canvas, PictureRenderer, Theme};
 use viewpoint::Viewpoint;
@@ -126,15 +126,16 @@ fn check(args: &RenderArgs) -> Result<(), Failure> {
     args.size.check_drawable()?;
     let is_png = args.output.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png"));
     if !is_png && !is_stdout(&args.output) {
-        return Err(Failure::user(format!("{}: pictures are written as PNG", args.output.display()))
+        return Err(Failure::usage(format!("{}: pictures are written as PNG", args.output.display()))
             .with_hint("use the extension .png, or - for stdout"));
     }
+    check_place(&args.output)?;
     if args.level.eye.is_none() && args.view.has_criterion() {
-        return Err(Failure::user("flags of a view were given without --eye")
+        return Err(Failure::usage("flags of a view were given without --eye")
             .with_hint("add --eye, or remove --pixels, --viewport and the like"));
     }
     if args.colors.len() > 1 && args.rows.is_some() {
-        return Err(Failure::user("--rows cannot be used with several --colors, which get a row each")
+        return Err(Failure::usage("--rows cannot be used with several --colors, which get a row each")
             .with_hint("remove --rows, or name only one of --colors"));
     }
     Ok(())

@@ -67,7 +67,7 @@ impl Viewpoint {
                 let (look_at, fov) =
                     if is_view { (center, DEFAULT_FOV.to_radians()) } else { (look_at, fov(DEFAULT_FOV)) };
                 if eye == look_at {
-                    return Err(Failure::user("the camera looks at its own position")
+                    return Err(Failure::usage("the camera looks at its own position")
                         .with_hint("move --from or --look-at"));
                 }
                 CameraPlacement::Fixed(Camera { eye, look_at, up, fov })

@@ -38,12 +38,12 @@ pub(in crate::commands) fn check_order_flags(
     if format != Format::Glb {
         return match args.ranges {
             None => Ok(()),
-            Some(_) => Err(Failure::user(format!("{name}: --ranges is for .glb outputs"))
+            Some(_) => Err(Failure::usage(format!("{name}: --ranges is for .glb outputs"))
                 .with_hint("use the extension .glb, or remove --ranges")),
         };
     }
     if is_paged {
-        return Err(Failure::user(format!("{name}: a paged file is a .striata file"))
+        return Err(Failure::usage(format!("{name}: a paged file is a .striata file"))
             .with_hint("use the extension .striata"));
     }
     let sequence = &args.sequence;
@@ -56,7 +56,7 @@ pub(in crate::commands) fn check_order_flags(
     ];
     match model_flags(args).into_iter().chain(flags).find(|&(_, is_given)| is_given) {
         None => Ok(()),
-        Some((flag, _)) => Err(Failure::user(format!("{name}: {flag} is for .striata files"))
+        Some((flag, _)) => Err(Failure::usage(format!("{name}: {flag} is for .striata files"))
             .with_hint(format!("use the extension .striata, or remove {flag}"))),
     }
 }
