@@ -1,4 +1,4 @@
-//! What a page needs of a scene besides the triangles.
+//! The document of a scene and its images, as a page takes them.
 
 use wasm_bindgen::prelude::wasm_bindgen;
 

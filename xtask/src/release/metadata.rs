@@ -1,4 +1,4 @@
-//! What registries show of the packages: complete, and of one version.
+//! Checks that what registries show of the packages is complete and of one version.
 
 use std::fs;
 
