@@ -157,6 +157,9 @@ export default function opening(world) {
     for (const name of names) {
       await drop(page, name, readFileSync(at(name)));
       await opened(page, name);
+      // The slider stays where it was for the last model.
+      await slide(page, 'detail', 1000);
+      await settled(page);
       const whole = await state(page);
       assert.ok(whole.complete && whole.triangleCount === whole.fullTriangleCount, name);
       assert.equal(await page.evaluate(() => window.striataViewer.model.timings.buildMs), 0, `${name} is not built again`);
@@ -188,6 +191,32 @@ export default function opening(world) {
     await drop(page, 'cut.striata', readFileSync(at('arm.striata')).subarray(0, 20_000));
     await page.locator('.notice strong', { hasText: 'Cannot open cut.striata' }).waitFor();
     assert.match(await page.locator('.notice').first().innerText(), /bytes/);
+  });
+
+  pageTest(world, 'a large plain file is shown before its levels are built', {}, async (page) => {
+    const side = 330;
+    const [vertices, faces] = [[], []];
+    for (let y = 0; y <= side; y += 1) {
+      for (let x = 0; x <= side; x += 1) {
+        vertices.push(`v ${x} ${y} ${(8 * Math.sin(x / 9) * Math.cos(y / 11)).toFixed(3)}`);
+        const [a, b] = [y * (side + 1) + x + 1, (y + 1) * (side + 1) + x + 1];
+        if (x < side && y < side) faces.push(`f ${a} ${a + 1} ${b + 1}`, `f ${a} ${b + 1} ${b}`);
+      }
+    }
+    await page.goto(world.url);
+    await drop(page, 'grid.obj', Buffer.from([...vertices, ...faces].join('\n')));
+    await page.waitForFunction(() => window.striataViewer.model);
+    await page.locator('#subtitle', { hasText: /triangles, building levels of detail/ }).waitFor();
+    const before = await state(page);
+    assert.equal(before.complete, false);
+    assert.deepEqual([before.triangleCount, before.fullTriangleCount], [faces.length, faces.length]);
+    assert.ok((await drawnPixels(page)) > 10_000, 'it is visible');
+    await opened(page, 'grid.obj');
+    assert.match(await page.locator('#subtitle').innerText(), /simplified in the browser/);
+    await slide(page, 'detail', 500);
+    await settled(page);
+    const { triangleCount } = await state(page);
+    assert.ok(triangleCount > 0 && triangleCount < faces.length, `${triangleCount} triangles`);
   });
 
   pageTest(world, 'backs of triangles are hidden only if they cannot be seen', {}, async (page) => {

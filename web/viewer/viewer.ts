@@ -74,6 +74,8 @@ export class Viewer {
   #source: ModelSource | null = null;
   #abort = new AbortController();
   #isOpening = false;
+  /** Progress of the model that was opened last. */
+  #progress = NO_PROGRESS;
   /** Whether loading the rest of the model has failed. */
   #isIncomplete = false;
 
@@ -280,8 +282,9 @@ export class Viewer {
   #onProgress(abort: AbortController, progress: Progress, source: ModelSource): void {
     if (abort !== this.#abort) return;
     this.#stats.progress(progress);
-    const isShown = this.model !== null && this.#source === source;
-    if (!isShown) element('subtitle').textContent = `Opening ${source.name}: ${describeProgress(progress)}`;
+    this.#progress = progress;
+    if (this.model !== null && this.#source === source) this.#describe(this.model);
+    else element('subtitle').textContent = `Opening ${source.name}: ${describeProgress(progress)}`;
   }
 
   #update(model: StriataScene): void {
@@ -291,9 +294,14 @@ export class Viewer {
     this.#stats.show(model);
     this.#tree.update();
     this.comparison.update();
-    const kind = model.complete ? kindOf(model) : this.#isIncomplete ? 'incomplete' : 'loading';
-    element('subtitle').textContent = `${formatCount(model.fullTriangleCount)} triangles, ${kind}`;
+    this.#describe(model);
     this.stage.invalidate();
+  }
+
+  #describe(model: StriataScene): void {
+    const loading = this.#progress.phase === 'build' ? describeProgress(this.#progress) : 'loading';
+    const kind = model.complete ? kindOf(model) : this.#isIncomplete ? 'incomplete' : loading;
+    element('subtitle').textContent = `${formatCount(model.fullTriangleCount)} triangles, ${kind}`;
   }
 
   #onDetailChanged(): void {
