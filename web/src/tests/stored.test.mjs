@@ -11,8 +11,9 @@ const loader = new StriataLoader(undefined, { worker: false, wasm, files, pixelE
 const bytes = readFileSync(new URL('spot.striata', import.meta.url));
 const opened = () => loader.parseAsync(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length), 'spot.striata');
 
-async function changed(model) {
-  await new Promise((resolve) => model.addEventListener('change', resolve));
+/** Waits until the model has at most so many triangles. */
+async function reduced(model, limit) {
+  while (model.triangleCount > limit) await new Promise((resolve) => model.addEventListener('change', resolve));
 }
 
 test('stored levels are shown without building them', async () => {
@@ -23,8 +24,8 @@ test('stored levels are shown without building them', async () => {
   const full = model.fullTriangleCount;
   assert.ok(full > 100);
   model.triangleBudget = Math.floor(full / 4);
-  await changed(model);
-  assert.ok(model.triangleCount > 0 && model.triangleCount <= full / 4);
+  await reduced(model, full / 4);
+  assert.ok(model.triangleCount > 0);
   model.dispose();
 });
 
