@@ -76,6 +76,30 @@ export default function views(world) {
     assert.ok(measured <= far.pixelError * TOLERANCE_FACTOR, `${measured} pixels from far away`);
   });
 
+  pageTest(world, 'what is seen while a view is frozen does not count afterward', {}, async (page) => {
+    await openModel(world, page, 'arm.stri');
+    const counts = await page.evaluate(async () => {
+      const { model, stage, framing } = window.striataViewer;
+      const seen = async (factor) => {
+        const { eye, target } = framing.pose();
+        stage.camera.position.copy(eye.sub(target).multiplyScalar(factor).add(target));
+        for (let frame = 0; frame < 10; frame += 1) {
+          stage.camera.updateMatrixWorld();
+          stage.render();
+          await new Promise((resolve) => setTimeout(resolve, 60));
+        }
+        return model.triangleCount;
+      };
+      model.pixelError = 2;
+      const before = await seen(1);
+      model.frozen = true;
+      await seen(0.2);
+      model.frozen = false;
+      return [before, await seen(50)];
+    });
+    assert.ok(counts[1] < counts[0], `${counts}`);
+  });
+
   pageTest(world, 'a frozen view keeps its triangles while it is seen from outside', {}, async (page) => {
     await openModel(world, page, 'sub/terrain.stri');
     await page.keyboard.press('z');

@@ -104,6 +104,8 @@ class Page {
 
   #openAddress(): void {
     const requested = requestedModel();
+    // A link to a part of the page leads to no other model.
+    if (location.hash && requested === this.#viewer.url) return;
     if (requested) this.#open(fromUrl(requested, readView(location.search)));
     else this.#showStart();
   }

@@ -13,6 +13,8 @@ export interface LodOwner {
   changed(): void;
   /** Called when a lod is about to be drawn. */
   seen(): void;
+  /** Whether levels stay as they are, whatever is seen. */
+  readonly frozen: boolean;
   indices(mesh: number, request: LevelRequest): Promise<Uint32Array[]>;
 }
 
@@ -147,6 +149,7 @@ export class SceneLod implements StriataLod {
 
   /** Notes how large the mesh is for a camera that is about to draw it. */
   #see(mesh: Mesh, renderer: WebGLRenderer, camera: Camera): void {
+    if (this.#owner.frozen) return;
     const target = renderer.getRenderTarget();
     if (target) size.set(target.width, target.height);
     else renderer.getDrawingBufferSize(size);
