@@ -144,7 +144,11 @@ export class PagedEngine {
         view.free();
       }
     }
-    if (by === 'error') return limit > 0 ? model.show_triangles(limit / factor) : model.show_error(value * factor);
+    if (by === 'error') {
+      if (limit === 0) return model.show_error(value * factor);
+      // The number of triangles limits what is read; the error may allow fewer.
+      return model.show_triangles(Math.max(1, Math.floor(limit / factor))) && (model.shown_error >= value * factor || model.show_error(value * factor));
+    }
     const count = by === 'triangles' ? value : value * model.full_triangle_count;
     return model.show_triangles(Math.max(1, Math.floor(Math.min(count, limit || MAX_TRIANGLES, MAX_TRIANGLES) / factor)));
   }

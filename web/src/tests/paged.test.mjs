@@ -37,6 +37,15 @@ async function checkLevels(scene) {
   scene.maxError = 5;
   await until(() => scene.complete && scene.triangleCount < TRIANGLES / 2);
   assert.ok(scene.error > 0 && scene.error <= 5, `${scene.error}`);
+  const allowed = scene.triangleCount;
+  let updates = 0;
+  scene.addEventListener('change', () => (updates += 1));
+  scene.triangleBudget = allowed + 1000;
+  await until(() => scene.complete && updates > 0);
+  await delay(200);
+  assert.equal(scene.triangleCount, allowed, 'a limit that is not reached changes nothing');
+  scene.triangleBudget = Math.floor(allowed / 2);
+  await until(() => scene.complete && scene.triangleCount <= allowed / 2);
   await assert.rejects(scene.lods[0].indices({ detail: 0.5 }), { code: 'unsupported' });
   scene.dispose();
 }
