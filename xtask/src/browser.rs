@@ -1,4 +1,5 @@
-//! Runs the browser tests in `web/tests`: the viewer in Chromium, served by the command.
+//! Runs the browser tests in `web/tests`: the viewer in Chromium, and every kind of file in Firefox, served by the
+//! command.
 
 use std::process::Command;
 
@@ -17,5 +18,8 @@ pub(crate) fn run() -> Result<()> {
     machine::npm_install(&web)?;
     // A test page imports the library.
     crate::web::prepare_library()?;
-    steps::run(Command::new("node").arg("tests/run.mjs").current_dir(web).env("STRIATA_BIN", command))
+    steps::run(Command::new("node").arg("tests/run.mjs").current_dir(&web).env("STRIATA_BIN", &command))?;
+    let mut firefox = Command::new("node");
+    firefox.args(["--test", "--test-reporter=spec", "tests/firefox.mjs"]);
+    steps::run(firefox.current_dir(web).env("STRIATA_BIN", command))
 }

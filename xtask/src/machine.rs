@@ -36,8 +36,11 @@ const REQUIREMENTS: [Requirement; 14] = [
     Requirement { evidence: Evidence::PythonModules("venv, ensurepip"), package: "python3-venv" },
     // Open3D, whose meshes the Python package accepts, is linked with it.
     Requirement { evidence: Evidence::Library("libusb-1.0.so.0"), package: "libusb-1.0-0" },
-    // The viewer page is tested in a browser.
+    // The viewer page is tested in two browsers; Firefox needs OpenGL.
     Requirement { evidence: Evidence::InPath(&["chromium"]), package: "chromium" },
+    Requirement { evidence: Evidence::InPath(&["firefox-esr"]), package: "firefox-esr" },
+    Requirement { evidence: Evidence::Library("libGL.so.1"), package: "libgl1" },
+    Requirement { evidence: Evidence::Library("libEGL.so.1"), package: "libegl1" },
     // Pictures are tested with a graphics driver that renders on the CPU.
     Requirement { evidence: Evidence::Library("libvulkan.so.1"), package: "libvulkan1" },
     Requirement {
@@ -80,7 +83,7 @@ impl Requirement {
 pub(crate) fn prepare() -> Result<()> {
     let missing: Vec<&str> = REQUIREMENTS.iter().filter(|r| !r.is_installed()).map(|r| r.package).collect();
     if missing.is_empty() {
-        say("compilers, node, python, chromium, a display and a graphics driver are available");
+        say("compilers, node, python, chromium, firefox, a display and a graphics driver are available");
         return Ok(());
     }
     if !starts("apt-get") {
