@@ -223,6 +223,36 @@ export default function sceneViewer(world) {
     }
   });
 
+  pageTest(world, 'a model is compared with another file, which has levels of its own', DESKTOP, async (page) => {
+    await openModel(world, page, 'spot.striata');
+    const plain = await steadyPicture(page);
+    await page.locator('#compare').check();
+    await page.waitForFunction(() => window.striataViewer.comparison.triangleCount !== null);
+    await slide(page, 'second', 1000);
+    await page.locator('#compared').setInputFiles(join(world.folder, 'torus.obj'));
+    await page.locator('#right-side', { hasText: 'torus.obj: ' }).waitFor();
+    await settled(page);
+    const torus = await page.evaluate(() => window.striataViewer.comparison.triangleCount);
+    assert.equal(torus, readFileSync(join(world.folder, 'torus.obj')).toString().match(/^f /gm).length);
+    const both = await picture(page);
+    assert.equal(differing(plain, both, 0, 0.49), 0, 'the left part is as before');
+    assert.ok(differing(plain, both, 0.5, 1) > 500, 'the right part shows the other file');
+    await shot(page, 'compared-files');
+    await slide(page, 'second', 300);
+    await page.waitForFunction((torus) => window.striataViewer.comparison.triangleCount < torus, torus);
+    // A file that cannot be opened changes nothing.
+    await page.locator('#compared').setInputFiles(join(world.folder, 'garbage.stri'));
+    await page.locator('.notice strong', { hasText: 'Cannot open garbage.stri' }).waitFor();
+    assert.match(await page.locator('#right-side').innerText(), /^torus\.obj/);
+    await page.locator('.notice button').first().click();
+    await page.locator('#compare-file').click();
+    await slide(page, 'second', 1000);
+    await page.waitForFunction(() => window.striataViewer.comparison.triangleCount === window.striataViewer.model.fullTriangleCount);
+    await page.locator('#compare').uncheck();
+    await settled(page);
+    assert.equal(differing(plain, await picture(page)), 0, 'only the model is shown');
+  });
+
   pageTest(world, 'a comparison shows surfaces, and ends with the model', {}, async (page) => {
     await openModel(world, page, 'spot.striata');
     await page.locator('input[name="coloring"][value="strips"]').check({ force: true });

@@ -1,6 +1,7 @@
 /**
- * Compares two levels of the model side by side: the stage is drawn twice, with a divider in between. The left part shows the level
- * that the panel selects, the right part a second one, as other index lists over the same vertices.
+ * Compares two levels of the model side by side, or the model with another file: the stage is drawn twice, with a divider in between.
+ * The left part shows the level that the panel selects. The right part shows a second one, as other index lists over the same vertices,
+ * or a level of the other file, in the same coordinates.
  */
 
 import { BufferAttribute, BufferGeometry, type Mesh } from 'three';
@@ -11,11 +12,21 @@ import { formatCount, formatPercent } from './format.ts';
 import { detailAt } from './scales.ts';
 import type { Split, Stage } from './stage.ts';
 
+/** What a comparison needs of the viewer. */
+export interface ComparisonHost {
+  /** Called when comparing starts or ends. */
+  onChange: () => void;
+  /** Opens a file as the model was opened; null if it cannot be opened, which the user has been told. */
+  open: (file: File) => Promise<StriataScene | null>;
+}
+
 export class Comparison implements Split {
   readonly #stage: Stage;
-  readonly #onChange: () => void;
+  readonly #host: ComparisonHost;
   readonly #divider: Divider;
   #scene: StriataScene | null = null;
+  /** The model of another file, and its name. */
+  #other: { scene: StriataScene; name: string } | null = null;
   #isAvailable = false;
   /** Geometry that each mesh has in the right part. */
   #second = new Map<Mesh, BufferGeometry>();
@@ -24,21 +35,26 @@ export class Comparison implements Split {
   #isPending = false;
   #triangleCount: number | null = null;
 
-  /** `onChange` is called when comparing starts or ends. */
-  constructor(stage: Stage, onChange: () => void) {
+  constructor(stage: Stage, host: ComparisonHost) {
     this.#stage = stage;
-    this.#onChange = onChange;
+    this.#host = host;
     this.#divider = new Divider(element('divider'), () => {
       this.#place();
       stage.invalidate();
     });
     input('compare').addEventListener('change', () => this.#onSwitched());
     input('second').addEventListener('input', () => this.#onSecondChanged());
+    element('compare-file').addEventListener('click', () => (this.#other ? this.#setOther(null) : input('compared').click()));
+    input('compared').addEventListener('change', () => void this.#onFileChosen());
     this.#refresh();
   }
 
   get isOn(): boolean {
     return this.#stage.split === this;
+  }
+
+  get other(): StriataScene | null {
+    return this.#other?.scene ?? null;
   }
 
   get fraction(): number {
@@ -47,7 +63,7 @@ export class Comparison implements Split {
 
   /** Triangles of the level in the right part; null until it has been made. */
   get triangleCount(): number | null {
-    return this.#triangleCount;
+    return this.#other ? this.#other.scene.triangleCount : this.#triangleCount;
   }
 
   /** Switches to another scene, which is not compared yet. */
@@ -78,10 +94,19 @@ export class Comparison implements Split {
     const { triangleCount, fullTriangleCount } = this.#scene;
     const share = (count: number): string => `${formatCount(count)} triangles (${formatPercent(count / Math.max(fullTriangleCount, 1))})`;
     element('left-side').textContent = share(triangleCount);
-    element('right-side').textContent = this.#triangleCount === null ? 'preparing' : share(this.#triangleCount);
+    const second = this.triangleCount;
+    const text = second === null ? 'preparing' : share(second);
+    element('right-side').textContent = this.#other ? `${this.#other.name}: ${text}` : text;
   }
 
   showSecond(draw: () => void): void {
+    const [scene, other] = [this.#scene, this.#other?.scene];
+    if (scene && other) {
+      [scene.visible, other.visible] = [false, true];
+      draw();
+      [scene.visible, other.visible] = [true, false];
+      return;
+    }
     const first = new Map<Mesh, BufferGeometry>();
     for (const [mesh, geometry] of this.#second) {
       first.set(mesh, mesh.geometry);
@@ -96,17 +121,54 @@ export class Comparison implements Split {
     const isOn = input('compare').checked && this.#isAvailable && this.#scene !== null;
     this.#stage.split = isOn ? this : null;
     if (isOn) void this.#request();
-    else this.#clear();
+    else {
+      this.#clear();
+      if (this.#other) this.#setOther(null);
+    }
     this.#refresh();
     this.#place();
     this.update();
-    this.#onChange();
+    this.#host.onChange();
     this.#stage.invalidate();
   }
 
   #onSecondChanged(): void {
     this.#refresh();
     void this.#request();
+  }
+
+  async #onFileChosen(): Promise<void> {
+    const picker = input('compared');
+    const file = picker.files?.[0];
+    // Lets the same file be chosen again.
+    picker.value = '';
+    const scene = this.#scene;
+    if (!file || !scene) return;
+    const other = await this.#host.open(file);
+    if (!other) return;
+    if (this.#scene === scene && this.isOn) this.#setOther({ scene: other, name: file.name });
+    else other.dispose();
+  }
+
+  /** Shows another file at the right, or again a level of the model. */
+  #setOther(other: { scene: StriataScene; name: string } | null): void {
+    this.#other?.scene.removeFromParent();
+    this.#other?.scene.dispose();
+    this.#other = other;
+    if (other) {
+      const { scene } = other;
+      scene.visible = false;
+      this.#stage.pivot.add(scene);
+      scene.addEventListener('change', () => {
+        this.update();
+        this.#stage.invalidate();
+      });
+      input('second').value = input('second').max;
+    }
+    element('compare-file').textContent = other ? `Close ${other.name}` : 'Compare with a file…';
+    this.#onSecondChanged();
+    this.update();
+    this.#stage.invalidate();
   }
 
   #refresh(): void {
@@ -142,6 +204,10 @@ export class Comparison implements Split {
   async #make(detail: number): Promise<void> {
     const scene = this.#scene;
     if (!scene) return;
+    if (this.#other) {
+      this.#other.scene.detail = detail;
+      return;
+    }
     const lists = await Promise.all(scene.lods.map((lod) => lod.indices({ detail })));
     if (this.#scene !== scene || !this.isOn) return;
     this.#clear();

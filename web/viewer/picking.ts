@@ -91,9 +91,10 @@ export class Picking {
     ray.setFromCamera(new Vector2(2 * at.x - 1, 1 - 2 * at.y), camera);
     const isSecond = split !== null && at.x > split.fraction;
     let hit: Intersection | undefined;
+    const shown = (isSecond && split.other) || model;
     const find = (): void => {
-      hit = firstHit(model, ray);
-      if (hit) this.#show(model, hit, isSecond);
+      hit = firstHit(shown, ray);
+      if (hit) this.#show(shown, hit, isSecond);
     };
     if (isSecond) split.showSecond(find);
     else find();

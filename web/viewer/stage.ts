@@ -9,6 +9,7 @@ import {
   BackSide, Color, Group, LinearToneMapping, MathUtils, MeshBasicMaterial, NoToneMapping, type Object3D, PerspectiveCamera, Scene, Sphere, SRGBColorSpace, Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
+import type { StriataScene } from '../src/index.ts';
 import { prefersReducedMotion } from './dom.ts';
 import { Lighting } from './lighting.ts';
 
@@ -31,6 +32,8 @@ const LINE_DEPTH_OFFSET = 6e-5;
 export interface Split {
   /** Where the right part begins, as a fraction of the width. */
   readonly fraction: number;
+  /** The model of the right part, if it is another one. */
+  readonly other: StriataScene | null;
   /** Calls `draw` while the scene is as the right part shows it. */
   showSecond(draw: () => void): void;
 }

@@ -25,7 +25,7 @@ import { Playback } from './playback.ts';
 import { Plots } from './plots.ts';
 import { Recording } from './recording.ts';
 import { Saving } from './saving.ts';
-import { isCrossOrigin, type ModelSource } from './sources.ts';
+import { fromFile, isCrossOrigin, type ModelSource } from './sources.ts';
 import type { Stage } from './stage.ts';
 import { type Backs, hasVertexColors, isBare, materialsOf, paintClay, shadeFlat, showBacks, showVertexColors } from './surface.ts';
 import { themeColor } from './theme.ts';
@@ -89,7 +89,10 @@ export class Viewer {
     this.recording = new Recording(this);
     this.#picking = new Picking(stage, () => this.model);
     new Plots(stage, () => this.model);
-    this.comparison = new Comparison(stage, () => this.onComparisonChanged(this.comparison.isOn));
+    this.comparison = new Comparison(stage, {
+      onChange: () => this.onComparisonChanged(this.comparison.isOn),
+      open: (file) => this.#openOther(fromFile(file)),
+    });
     this.#tree = new ModelTree({
       focus: (object) => this.#focus(object),
       onVisibility: () => stage.invalidate(),
@@ -141,6 +144,23 @@ export class Viewer {
     const saved: Saved = { format: 'level', triangles: ALL_TRIANGLES };
     const converted = await encodeModel(source, saved, abort.signal, (_, share) => this.#onProgress(abort, { ...NO_PROGRESS, phase: 'build', share }, source));
     return load(converted, `${source.name}.glb`, true);
+  }
+
+  /** Opens a model to compare with; returns null after reporting why it cannot be opened. */
+  async #openOther(source: ModelSource): Promise<StriataScene | null> {
+    announce(`Opening ${source.name}`);
+    try {
+      const scene = await this.#load(source, new AbortController());
+      await scene.finished;
+      const materials = materialsOf(scene);
+      const bare = isBare(materials);
+      paintClay(materials, bare);
+      showBacks(materials, this.look.backs, scene.isSolid && bare);
+      return scene;
+    } catch (error) {
+      notify(noticeOf(error, `Cannot open ${source.name}`, source, () => undefined));
+      return null;
+    }
   }
 
   /** Applies the chosen appearance to the model. */

@@ -361,7 +361,8 @@ fn the_header_locates_the_stream() {
     let mesh = torus();
     let built = build_batches(&mesh, &BatchOptions::default()).unwrap();
     let stream = encode_stream(&built.built.refinable, &built.batches, &StreamOptions::default()).unwrap();
-    let models = [file_model(&stream.bytes).unwrap()];
+    let fans = Fans::build(&built.built.refinable);
+    let models = [file_model(&stream.bytes).unwrap(), FileModel::Fans(&fans)];
     let bytes = to_striata(&built.built.refinable, &models, &WriteOptions::default()).unwrap();
     let mut length = 0;
     let place = loop {
