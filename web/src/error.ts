@@ -27,8 +27,16 @@ export interface PlainError {
   hint: string | undefined;
 }
 
+/** What the wasm modules throw: each has its own class. */
+interface WasmFailure {
+  readonly code: string;
+  readonly message: string;
+  readonly hint: string | undefined;
+  free(): void;
+}
+
 /** Whether a wasm module has thrown this; it is released with `free()`. */
-export function isFailure(thrown: unknown): thrown is Failure {
+export function isFailure(thrown: unknown): thrown is WasmFailure {
   return thrown instanceof Failure || thrown instanceof BuilderFailure || thrown instanceof FilesFailure;
 }
 
