@@ -132,8 +132,18 @@ export interface StriataLod {
      * `BatchedMesh`, `InstancedMesh`, `THREE.LOD`.
      */
   indices(target: LevelTarget): Promise<Uint32Array[]>;
+  /** Returns the step that adds a vertex, by its number in the attributes; null for vertices of the base mesh. */
+  stepOf(vertex: number): Promise<VertexStep | null>;
   /** Makes a copy of one of the meshes count, too: its size on the screen, and its triangles in a budget. */
   attach(mesh: Mesh): void;
+}
+
+/** The step that adds a vertex. */
+export interface VertexStep {
+  /** Number of steps before it. */
+  step: number;
+  /** Error of the level without it, mesh units. */
+  error: number;
 }
 
 /** Options of a single call of `open`. */

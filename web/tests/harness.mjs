@@ -10,7 +10,7 @@ import { chromium } from 'playwright-core';
 import { front } from './front.mjs';
 
 export const workspace = resolve(dirname(fileURLToPath(import.meta.url)), '../..');
-const striata = process.env.STRIATA_BIN ?? join(workspace, 'target/debug/striata');
+export const striata = process.env.STRIATA_BIN ?? join(workspace, 'target/debug/striata');
 
 /** Timeout that allows for machines under heavy load. */
 export const PATIENCE_MS = 600_000;

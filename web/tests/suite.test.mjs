@@ -8,6 +8,7 @@ import files from './files.mjs';
 import { world } from './harness.mjs';
 import inspecting from './inspecting.mjs';
 import looks from './looks.mjs';
+import models from './models.mjs';
 import opening from './opening.mjs';
 import paged from './paged.mjs';
 import phone from './phone.mjs';
@@ -25,6 +26,6 @@ describe('viewer', { concurrency: 1 }, () => {
   const shared = {};
   before(async () => void Object.assign(shared, await world()), { timeout: 1_200_000 });
   after(() => shared.end?.(), { timeout: 600_000 });
-  const viewer = [streaming, detail, views, files, opening, paged, sceneViewer, saving, errors, looks, sharing, pictures, inspecting, phone];
+  const viewer = [streaming, detail, views, files, opening, paged, sceneViewer, saving, errors, looks, sharing, pictures, inspecting, models, phone];
   for (const group of [...viewer, scenes, references, examples, speed]) group(shared);
 });

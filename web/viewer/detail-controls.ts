@@ -55,6 +55,14 @@ export class DetailControls {
     return { mode, value: this.#budget ?? this.#model.fullTriangleCount };
   }
 
+  /** The level that a multiresolution model is to show. */
+  get inspected(): { by: 'detail' | 'triangles' | 'view'; value: number } {
+    const { mode } = this;
+    if (mode === 'pixels') return { by: 'view', value: pixelsAt(input('pixels').valueAsNumber) };
+    if (mode === 'budget') return { by: 'triangles', value: this.#budget ?? this.#model?.fullTriangleCount ?? 0 };
+    return { by: 'detail', value: detailAt(input('detail').valueAsNumber) };
+  }
+
   /** Chooses the level, as soon as the model allows that; `null` is full detail. */
   restore(choice: LevelChoice | null): void {
     this.#wanted = choice ?? { mode: 'level', value: 1 };

@@ -39,7 +39,7 @@ export async function encodeModel(
 }
 
 /** A copy of the bytes of a model's file. */
-async function bytesOf({ data, name }: ModelSource, signal: AbortSignal): Promise<ArrayBuffer> {
+export async function bytesOf({ data, name }: ModelSource, signal: AbortSignal): Promise<ArrayBuffer> {
   if (data instanceof ArrayBuffer) return data.slice(0);
   if (typeof data !== 'string') {
     return data.arrayBuffer().catch((error: unknown) => {

@@ -21,6 +21,19 @@ interface Listing {
   models: ListedModel[];
   /** Whether the server has more models than it lists. */
   is_cut?: boolean;
+  /** Whether the server stops when its page is closed. */
+  ends_with_page?: boolean;
+}
+
+/** Tells the server that this page is open, until it is closed: `striata view` ends with it. */
+export async function holdSession(): Promise<void> {
+  try {
+    const response = await fetch('session', { cache: 'no-store' });
+    const reader = response.body?.getReader();
+    while (reader && !(await reader.read()).done);
+  } catch {
+    // The command was stopped first.
+  }
 }
 
 /** Fetches the listing; `null` if the page was not served by `striata serve`. */

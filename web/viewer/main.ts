@@ -6,7 +6,8 @@
  */
 
 import { acceptFiles } from './file-input.ts';
-import { addressOf, fetchListing, fillGallery, type ListedModel, setThumbnailsEnabled } from './gallery.ts';
+import { addressOf, fetchListing, fillGallery, holdSession, type ListedModel, setThumbnailsEnabled } from './gallery.ts';
+import type { ModelName } from './inspect-worker.ts';
 import { installShortcuts } from './keys.ts';
 import { dismissNewest, notify } from './notices.ts';
 import { announce, element } from './dom.ts';
@@ -68,6 +69,7 @@ class Page {
     const requested = requestedModel();
     if (requested) this.#open(fromUrl(requested, view));
     const listing = await fetchListing();
+    if (listing?.ends_with_page) void holdSession();
     if (listing) {
       fillGallery(listing, (model) => this.#openListed(model));
       const only = listing.models.length === 1 ? listing.models[0] : undefined;
@@ -169,6 +171,8 @@ class Page {
       { keys: [','], shown: ',', description: 'Turn the light left', run: () => panel.turnLight(-STEP.light) },
       { keys: ['.'], shown: '.', description: 'Turn the light right (also: Alt and drag)', run: () => panel.turnLight(STEP.light) },
       { keys: ['g'], shown: 'G', description: 'Plots', run: () => element('plots-title').click() },
+      { keys: ['d'], shown: 'D', description: 'Next multiresolution model', run: () => void this.#nextModel() },
+      { keys: ['j'], shown: 'J', description: 'Geomorphs of the model', run: () => panel.toggle('morphs', 'Geomorphs') },
       { keys: ['o'], shown: 'O', description: 'Open file', run: () => element('open').click() },
       { keys: ['h'], shown: 'H', description: 'Show or hide controls', run: () => panel.fold() },
       { keys: ['?'], shown: '?', description: 'Show this help', run: () => this.#showHelp() },
@@ -181,6 +185,16 @@ class Page {
     const { framing } = this.#viewer;
     if (event.shiftKey) framing.pan(-right * STEP.pan, -up * STEP.pan);
     else framing.orbit(right * STEP.orbit, up * STEP.orbit);
+  }
+
+  async #nextModel(): Promise<void> {
+    const { inspection } = this.#viewer;
+    const select = element<HTMLSelectElement>('inspected');
+    if (select.disabled) return announce('Pages have no multiresolution models');
+    const options = [...select.options].filter((option) => !option.disabled);
+    const next = options[(options.findIndex((option) => option.selected) + 1) % options.length];
+    await inspection.choose((next?.value ?? '') as ModelName | '');
+    announce(`Drawn as ${next?.textContent ?? ''}`);
   }
 
   #toggleView(): void {

@@ -1,15 +1,16 @@
 /**
- * Picks a triangle with Shift and a click, or with a click while the switch is on: shows its mesh, material and number, and the
- * nearest of its vertices. The mark stays on the triangle while it moves, and goes when the level no longer has it.
+ * Picks a triangle with Shift and a click, or with a click while the switch is on: shows its mesh, material and number, the
+ * nearest of its vertices, and the step that adds it. The mark stays on the triangle while it moves, and goes when the level no longer has it.
  */
 
 import {
   BufferAttribute, BufferGeometry, InstancedMesh, type Intersection, LineBasicMaterial, LineLoop, type Material, Matrix4, Mesh, type Object3D,
   Points, PointsMaterial, Raycaster, Vector2, Vector3,
 } from 'three';
-import type { StriataScene } from '../src/index.ts';
+import type { StriataLod, StriataScene, VertexStep } from '../src/index.ts';
 import { announce, createNode, element, input, setVisible } from './dom.ts';
-import { formatCount } from './format.ts';
+import { formatCount, formatNumber } from './format.ts';
+import type { Inspection } from './inspection.ts';
 import { HELPER_LAYER, type Stage } from './stage.ts';
 
 /** A pointer that moves farther than this drags, CSS pixels. */
@@ -36,14 +37,16 @@ interface Picked {
 export class Picking {
   readonly #stage: Stage;
   readonly #model: () => StriataScene | null;
+  readonly #inspection: Inspection;
   readonly #mark: LineLoop<BufferGeometry, LineBasicMaterial>;
   readonly #dot: Points<BufferGeometry, PointsMaterial>;
   #picked: Picked | null = null;
   #down: { x: number; y: number } | null = null;
 
-  constructor(stage: Stage, model: () => StriataScene | null) {
+  constructor(stage: Stage, model: () => StriataScene | null, inspection: Inspection) {
     this.#stage = stage;
     this.#model = model;
+    this.#inspection = inspection;
     const corners = new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(9), 3));
     this.#mark = new LineLoop(corners, new LineBasicMaterial(MARK));
     this.#dot = new Points(new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(3), 3)), new PointsMaterial({ ...MARK, size: DOT_PX, sizeAttenuation: false }));
@@ -93,7 +96,7 @@ export class Picking {
     let hit: Intersection | undefined;
     const shown = (isSecond && split.other) || model;
     const find = (): void => {
-      hit = firstHit(shown, ray);
+      hit = firstHit(this.#inspection.mesh ?? shown, ray);
       if (hit) this.#show(shown, hit, isSecond);
     };
     if (isSecond) split.showSecond(find);
@@ -113,10 +116,14 @@ export class Picking {
     const rows: [string, string][] = [['Mesh', nameOf(mesh, model)]];
     const material = [mesh.material as Material | Material[]].flat()[materialIndex];
     // Triangles in colors have a material of the page and corners of their own, so that their vertices have no numbers.
-    const isSurface = mesh.geometry.index !== null;
+    const isSurface = mesh.geometry.index !== null && mesh !== this.#inspection.mesh;
     if (isSurface) rows.push(['Material', material?.name || 'unnamed']);
     rows.push(['Triangle', `${formatCount(picked.triangle)} of this level`]);
-    if (isSurface) rows.push(['Nearest vertex', formatCount(picked.corners[nearest]!)]);
+    const corner = picked.corners[nearest]!;
+    const inspected = this.#inspection.stepOf(mesh, corner);
+    if (inspected) rows.push([inspected.primitive, formatCount(this.#inspection.primitiveOf(picked.triangle) ?? 0)]);
+    if (isSurface || inspected) rows.push(['Nearest vertex', formatCount(inspected?.vertex ?? corner)]);
+    if (inspected) rows.push(...stepRows(inspected.step));
     const { diagonal } = model;
     rows.push(['Vertex at', pointText(model.worldToLocal(corners[nearest]!.clone()), diagonal)]);
     rows.push(['Point at', pointText(model.worldToLocal(point.clone()), diagonal)]);
@@ -125,6 +132,13 @@ export class Picking {
     this.#place(picked, corners);
     this.#list(rows);
     this.#stage.invalidate();
+    const { lod } = mesh as Mesh & { lod?: StriataLod };
+    if (!isSurface || !lod) return;
+    void lod.stepOf(corner).then((step) => {
+      if (this.#picked !== picked) return;
+      rows.push(...stepRows(step));
+      this.#list(rows);
+    });
   }
 
   #list(rows: [string, string][]): void {
@@ -161,8 +175,14 @@ export class Picking {
   }
 }
 
+/** What is known of the step that adds a vertex. */
+function stepRows(step: VertexStep | null): [string, string][] {
+  if (!step) return [['Step', 'in the base mesh']];
+  return [['Step', formatCount(step.step)], ['Error without it', formatNumber(step.error)]];
+}
+
 /** The nearest triangle of what is shown. */
-function firstHit(model: StriataScene, ray: Raycaster): Intersection | undefined {
+function firstHit(model: Object3D, ray: Raycaster): Intersection | undefined {
   const drawn: Object3D[] = [];
   model.traverseVisible((object) => {
     if (object instanceof Mesh) drawn.push(object);

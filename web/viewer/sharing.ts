@@ -73,10 +73,10 @@ export class Sharing {
   }
 
   #view(): ViewState {
-    const { detail, playback, isFrozen } = this.#viewer;
+    const { detail, inspection, playback, isFrozen } = this.#viewer;
     return {
       camera: isFrozen ? this.#camera : this.#poseOfUser(),
-      level: detail.choice, playback: playback.state, look: this.#panel.lookState(),
+      level: detail.choice, playback: playback.state, model: inspection.model, look: this.#panel.lookState(),
     };
   }
 

@@ -7,6 +7,7 @@ import { Vector3 } from 'three';
 import type { Coloring } from '../src/index.ts';
 import type { Mode } from './detail-controls.ts';
 import type { CameraPose } from './framing.ts';
+import type { ModelName } from './inspect-worker.ts';
 import { COARSEST_PX, FINEST_PX } from './scales.ts';
 import type { Backs } from './surface.ts';
 
@@ -45,11 +46,14 @@ export interface ViewState {
   /** Null if it is the one that the model begins with. */
   level: LevelChoice | null;
   playback: PlaybackState | null;
+  /** Null for the page's own way of drawing. */
+  model: ModelName | null;
   look: LookState;
 }
 
 const COLORINGS: Record<string, Coloring> = { strip: 'strips', fan: 'fans', triangle: 'triangles' };
 const BACKS: Backs[] = ['both', 'hide', 'tint'];
+const MODELS: ModelName[] = ['list', 'lodstrips', 'live-strips', 'mts', 'fans', 'patterns'];
 const BACKGROUNDS = ['white', 'gray', 'black'];
 const LEVELS: Record<string, { mode: Mode; least: number; most: number }> = {
   detail: { mode: 'level', least: 0, most: 1 },
@@ -75,6 +79,7 @@ export function readView(query: string): ViewState | null {
     camera: readCamera(given),
     level: readLevel(given),
     playback: readPlayback(given),
+    model: choice('as', MODELS) ?? null,
     look: {
       coloring: COLORINGS[given.get('color') ?? ''] ?? 'surface',
       wireframe: flag('wireframe'), flat: flag('flat'), zUp: flag('z-up'), turns: flag('turn'),
@@ -88,7 +93,7 @@ export function readView(query: string): ViewState | null {
 }
 
 /** Writes what differs from an untouched page as parameters. */
-export function writeView({ camera, level, playback, look }: ViewState): string[] {
+export function writeView({ camera, level, playback, model, look }: ViewState): string[] {
   const written: string[] = [];
   const add = (name: string, value: string | number | false): void => {
     if (value !== false) written.push(`${name}=${value}`);
@@ -101,6 +106,7 @@ export function writeView({ camera, level, playback, look }: ViewState): string[
     add('eye', writePoint(camera.eye, distance));
     add('target', writePoint(camera.target, distance));
   }
+  add('as', model ?? false);
   add('color', Object.keys(COLORINGS).find((name) => COLORINGS[name] === look.coloring) ?? false);
   add('wireframe', look.wireframe && 1);
   add('flat', look.flat && 1);

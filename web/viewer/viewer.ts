@@ -16,6 +16,7 @@ import { encodeModel } from './encoder.ts';
 import { describeProgress, Stats } from './stats.ts';
 import { Framing } from './framing.ts';
 import { FrozenView } from './frozen-view.ts';
+import { Inspection } from './inspection.ts';
 import { ModelTree } from './model-tree.ts';
 import { dismissAll, notify } from './notices.ts';
 import { formatCount } from './format.ts';
@@ -55,6 +56,8 @@ export class Viewer {
   readonly comparison: Comparison;
   readonly look: Look = { coloring: 'surface', wireframe: false, flat: false, zUp: false, vertexColors: true, backs: 'file' };
   readonly recording: Recording;
+  /** One multiresolution model of the file, drawn instead of the scene. */
+  readonly inspection: Inspection;
   model: StriataScene | null = null;
   /** Called with the view that a model is to be shown in, before it appears. */
   onView: (view: ViewState) => void = () => {};
@@ -87,7 +90,13 @@ export class Viewer {
     this.detail = new DetailControls(() => this.#onDetailChanged());
     this.playback = new Playback(stage);
     this.recording = new Recording(this);
-    this.#picking = new Picking(stage, () => this.model);
+    this.inspection = new Inspection(stage, {
+      level: () => this.detail.inspected,
+      isFrozen: () => this.detail.isFrozen,
+      look: () => ({ isColored: this.look.coloring !== 'surface', byTriangle: this.look.coloring === 'triangles', flat: this.look.flat }),
+      onChange: () => this.#onInspected(),
+    });
+    this.#picking = new Picking(stage, () => this.model, this.inspection);
     new Plots(stage, () => this.model);
     this.comparison = new Comparison(stage, {
       onChange: () => this.onComparisonChanged(this.comparison.isOn),
@@ -169,6 +178,7 @@ export class Viewer {
     if (!model) return;
     model.coloring = look.coloring;
     this.#applyToMaterials(model);
+    this.inspection.applyLook();
     this.stage.showsWireframe = look.wireframe;
     this.stage.tintsBacks = look.backs === 'tint';
     this.stage.invalidate();
@@ -263,6 +273,7 @@ export class Viewer {
     // Saving reads whole files.
     this.#saving.setSource(model.kind === 'paged' ? null : source);
     this.detail.setModel(model);
+    this.inspection.setScene(model, source, view?.model ?? null);
     this.#update(model);
     this.onShown();
   }
@@ -333,6 +344,12 @@ export class Viewer {
     this.stage.invalidate();
   }
 
+  /** A comparison shows the scene, and what was picked belongs to what was drawn. */
+  #onInspected(): void {
+    if (this.inspection.mesh && this.comparison.isOn) this.comparison.toggle();
+    this.#picking.clear();
+  }
+
   /** Shows a bare scan as clay under lamps, and a scene with materials in the studio; textures may arrive late. */
   #light(model: StriataScene): void {
     const { lighting } = this.stage;
@@ -364,6 +381,7 @@ export class Viewer {
     if (!model) return;
     this.playback.setScene(null);
     this.comparison.setScene(null);
+    this.inspection.setScene(null, null);
     this.#tree.setScene(null);
     this.#saving.setSource(null);
     this.model = null;

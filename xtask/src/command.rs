@@ -7,7 +7,7 @@ use anyhow::{Result, ensure};
 use crate::steps::{self, cargo};
 use crate::target_folder;
 
-/// Features of the complete command, including its window.
+/// Features of the complete command.
 pub(crate) const FULL: &str = "striata-cli/full";
 
 /// Builds the command with all features, unless the tests have built it, and returns its path.

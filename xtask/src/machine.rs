@@ -47,13 +47,9 @@ const REQUIREMENTS: [Requirement; 17] = [
         evidence: Evidence::NonEmptyFolder("/usr/share/vulkan/icd.d"),
         package: "mesa-vulkan-drivers",
     },
-    // The window is tested on a virtual display, with libraries that every desktop system has.
+    // Firefox is tested on a virtual display.
     Requirement { evidence: Evidence::InPath(&["xvfb-run"]), package: "xvfb" },
     Requirement { evidence: Evidence::InPath(&["xauth"]), package: "xauth" },
-    Requirement { evidence: Evidence::Library("libxkbcommon-x11.so.0"), package: "libxkbcommon-x11-0" },
-    Requirement { evidence: Evidence::Library("libXcursor.so.1"), package: "libxcursor1" },
-    Requirement { evidence: Evidence::Library("libXi.so.6"), package: "libxi6" },
-    Requirement { evidence: Evidence::Library("libXrandr.so.2"), package: "libxrandr2" },
 ];
 
 impl Requirement {

@@ -40,7 +40,6 @@ const FEATURES_ALONE: &[(&str, &str)] = &[
     ("striata-cli", ""),
     ("striata-cli", "gpu"),
     ("striata-cli", "remote"),
-    ("striata-cli", "window"),
     ("striata-cli", "serve"),
     ("striata-py", ""),
     ("striata-lab", ""),

@@ -29,7 +29,7 @@ const SYNONYMS: [(&str, &str); 14] = [
 /// Translates words that the parser has no verb for: `help`, `version`, and a file alone, which is viewed.
 pub(crate) fn translated(words: impl IntoIterator<Item = OsString>) -> Vec<OsString> {
     let mut words: Vec<OsString> = words.into_iter().collect();
-    let has_view = cfg!(any(feature = "serve", feature = "window"));
+    let has_view = cfg!(feature = "serve");
     match words.get(1).and_then(|word| word.to_str()) {
         Some("help") => {
             words.remove(1);

@@ -1,4 +1,4 @@
-//! Draws striata's levels of detail with wgpu, in a window or into an offscreen picture.
+//! Draws striata's levels of detail with wgpu into a render target, for example an offscreen picture.
 //!
 //! A mesh's vertices are uploaded once ([`GpuVertices`]). Each level is only another set of indices over
 //! them, drawn as a triangle list, as strips with primitive restart, or by many indirect draws ([`Drawing`]).
@@ -19,8 +19,8 @@
 //!
 //! In reading order: `gpu_error`, `gpu_options`, `gpu` and `adapters` find the device; `copy_back`,
 //! `vertices`, `indices`, `drawing` and `gpu_lod_strips` contain what is drawn; `viewpoint`, `look`,
-//! `painter`, `inspection` and `gpu_morph` draw it; `lit` draws it with materials; `canvas`, `screen_copy`
-//! and `frame_clock` are the targets and the timing; `gpu_fan_words`, `gpu_fans`, `fan_extractor` and
+//! `painter`, `inspection` and `gpu_morph` draw it; `lit` draws it with materials; `canvas` and
+//! `frame_clock` are the target and the timing; `gpu_fan_words`, `gpu_fans`, `fan_extractor` and
 //! `gpu_fan_instance` extract triangles from fans; `probe` tries all of it on an adapter except `lit`.
 //!
 //! ```no_run
@@ -76,7 +76,6 @@ mod lit;
 mod look;
 mod painter;
 mod probe;
-mod screen_copy;
 mod vertices;
 mod viewpoint;
 
@@ -101,7 +100,6 @@ pub use lit::{
 };
 pub use look::{Look, Shading, linear_to_srgb, palette_color};
 pub use painter::{DEPTH_FORMAT, Painter, Scene};
-pub use screen_copy::ScreenCopy;
 pub use vertices::GpuVertices;
 pub use viewpoint::Viewpoint;
 

@@ -1,22 +1,15 @@
-//! Shows models to people: [`picture`] draws PNGs with or without a GPU, [`window`] opens an interactive
-//! window, and [`serve`] serves a folder of models and the web viewer to browsers.
+//! Shows models to people: [`picture`] draws PNGs with or without a GPU, and [`serve`] serves a folder of models
+//! and the web viewer to browsers.
 //!
 //! In reading order: [`picture`] contains shots, cameras and renderers; [`viewer_page`] is the web viewer
-//! with an embedded model; [`serve`] uses both; [`window`] is independent.
+//! with an embedded model; [`serve`] uses both.
 
-#[cfg(all(feature = "serve", not(feature = "window")))]
-mod browser_args;
 #[cfg(feature = "gpu")]
 mod lit;
 pub mod picture;
 #[cfg(feature = "serve")]
 pub mod serve;
 pub mod viewer_page;
-#[cfg(feature = "window")]
-pub mod window;
-
-#[cfg(all(feature = "serve", not(feature = "window")))]
-pub use browser_args::BrowserArgs;
 
 /// Compiles the readme's example with the documentation tests.
 #[cfg(doctest)]

@@ -75,7 +75,7 @@ fn level_of(scene: &Scene, triangles: u32, progress: &mut ProgressFn<'_>) -> Res
 }
 
 /// Reads the full scene of a file; a single mesh becomes a scene with one node.
-fn scene_of(bytes: &[u8], name: &str) -> Result<Scene, Failure> {
+pub(crate) fn scene_of(bytes: &[u8], name: &str) -> Result<Scene, Failure> {
     let source = Source::new(name);
     match Format::detect(bytes, name) {
         Some(Format::Stream) if bytes.starts_with(&striata::file::SCENE_STREAM_MAGIC) => {

@@ -123,6 +123,10 @@ impl Leveled for FanModel {
         Vertices::new(&mesh.positions[first..], &mesh.layers, first, mesh.appearance.color_space)
     }
 
+    fn step_of(&self, vertex: u32) -> Option<usize> {
+        self.levels.step_of(vertex).map(|step| step as usize)
+    }
+
     fn show(&mut self, target: Target) -> ShownLevel {
         let split_count = self.split_count_for(target);
         self.last = LastShown::Uniform(split_count);

@@ -74,6 +74,9 @@ pub(crate) trait Leveled {
     /// Error of a level, mesh units.
     fn error_at(&self, split_count: usize) -> f32;
 
+    /// Number of splits before the one that adds a vertex; [`None`] if it is in the base mesh.
+    fn step_of(&self, vertex: u32) -> Option<usize>;
+
     /// Shows the requested level.
     fn show(&mut self, target: Target) -> ShownLevel;
 

@@ -29,6 +29,8 @@ mod encoder;
 mod failure;
 #[cfg(feature = "files")]
 mod fan_model;
+#[cfg(feature = "encode")]
+mod inspect;
 #[cfg(any(feature = "stream", feature = "build"))]
 mod layer_name;
 #[cfg(any(feature = "stream", feature = "files"))]
@@ -75,6 +77,8 @@ pub use built_arrays::BuiltArrays;
 #[cfg(feature = "encode")]
 pub use encoder::encode_file;
 pub use failure::Failure;
+#[cfg(feature = "encode")]
+pub use inspect::{InspectedLevel, InspectedMesh};
 #[cfg(feature = "build")]
 pub use mesh_builder::MeshBuilder;
 #[cfg(any(feature = "stream", feature = "files"))]

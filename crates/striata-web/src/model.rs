@@ -210,6 +210,11 @@ impl Model {
         self.levels.triangle_count_at(split_count)
     }
 
+    /// Number of splits before the one that adds a vertex; -1 if it is in the base mesh.
+    pub fn step_of(&self, vertex: u32) -> i32 {
+        self.levels.step_of(vertex).and_then(|step| i32::try_from(step).ok()).unwrap_or(-1)
+    }
+
     /// Error of a level, mesh units.
     pub fn error_at(&self, split_count: usize) -> f32 {
         self.levels.error_at(split_count)

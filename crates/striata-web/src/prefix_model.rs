@@ -134,6 +134,13 @@ impl PrefixModel {
     }
 }
 
+/// Step that adds a vertex, among positions that begin at these vertices; the last entry is the number of vertices.
+pub(crate) fn step_in(first_vertices: &[u32], step_count: usize, vertex: u32) -> Option<usize> {
+    let position = first_vertices.partition_point(|&first| first <= vertex).checked_sub(1)?;
+    let base_count = first_vertices.len().checked_sub(1 + step_count)?;
+    position.checked_sub(base_count).filter(|&step| step < step_count)
+}
+
 impl Leveled for PrefixModel {
     fn is_complete(&self) -> bool {
         true
@@ -189,6 +196,10 @@ impl Leveled for PrefixModel {
 
     fn error_at(&self, split_count: usize) -> f32 {
         self.errors.get(split_count).copied().unwrap_or(0.0)
+    }
+
+    fn step_of(&self, vertex: u32) -> Option<usize> {
+        step_in(&self.first_vertices, self.step_count(), vertex)
     }
 
     fn show(&mut self, target: Target) -> ShownLevel {

@@ -89,7 +89,7 @@ fn model_of(file: &StriataFile<'_>, steps: Steps) -> Result<Model, Failure> {
 
 /// Opens the file of a mesh. Only the encoder contains the decoder of streams, for scenes of streams; a page
 /// finds the stream of a mesh by its own.
-fn open(bytes: &[u8]) -> Result<StriataFile<'_>, DecodeError> {
+pub(crate) fn open(bytes: &[u8]) -> Result<StriataFile<'_>, DecodeError> {
     #[cfg(feature = "encode")]
     return striata_stream::open(bytes);
     #[cfg(not(feature = "encode"))]

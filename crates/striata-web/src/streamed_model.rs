@@ -10,6 +10,7 @@ use striata::mesh::{Bounds, steps_for_detail};
 use striata_stream::{GrowingHierarchy, HierarchyCut, StreamDecoder, StreamInfo};
 
 use crate::leveled::Leveled;
+use crate::prefix_model::step_in;
 use crate::shown_level::{ShownLevel, by_group};
 use crate::stream_source::StreamSource;
 use crate::vertices::Vertices;
@@ -217,6 +218,13 @@ impl Leveled for StreamedModel {
 
     fn error_at(&self, split_count: usize) -> f32 {
         self.source.read(|decoder| decoder.error_at(split_count).unwrap_or(0.0))
+    }
+
+    fn step_of(&self, vertex: u32) -> Option<usize> {
+        self.source.read(|decoder| {
+            let first_vertices = decoder.first_vertices();
+            step_in(first_vertices, decoder.prefix().added_triangle_counts.len(), vertex)
+        })
     }
 
     fn show(&mut self, target: Target) -> ShownLevel {

@@ -120,6 +120,7 @@ export class BuildTask {
         scene.show(report.meshes, report.state, report.ticket, report.settled);
         break;
       case 'indices':
+      case 'step':
         scene.answer(report.id, report.lists);
         break;
       case 'failed':

@@ -2,7 +2,7 @@
 
 import { Box3, Matrix4, Mesh, Sphere, SkinnedMesh, Vector2, Vector3, type Camera, type Object3D, type PerspectiveCamera, type WebGLRenderer } from 'three';
 import type { LevelRequest } from '../protocol.ts';
-import type { LevelTarget, StriataLod } from '../types.ts';
+import type { LevelTarget, StriataLod, VertexStep } from '../types.ts';
 import { viewOf } from '../view.ts';
 import { LodGeometry, posedBox } from './lod-geometry.ts';
 import type { MeshShare, MeshUpdate } from './protocol.ts';
@@ -16,6 +16,7 @@ export interface LodOwner {
   /** Whether levels stay as they are, whatever is seen. */
   readonly frozen: boolean;
   indices(mesh: number, request: LevelRequest): Promise<Uint32Array[]>;
+  stepOf(mesh: number, vertex: number): Promise<VertexStep | null>;
 }
 
 const [size, center, scale, matrix, sphere] = [new Vector2(), new Vector3(), new Vector3(), new Matrix4(), new Sphere()];
@@ -96,6 +97,11 @@ export class SceneLod implements StriataLod {
     if (error !== undefined) return this.#owner.indices(this.index, { by: 'error', value: number(error, 'error'), limit: 0 });
     if (triangles !== undefined) return this.#owner.indices(this.index, { by: 'triangles', value: number(triangles, 'triangles'), limit: 0 });
     return this.#owner.indices(this.index, { by: 'detail', value: number(detail ?? 1, 'detail'), limit: 0 });
+  }
+
+  /** The step that adds a vertex; null for vertices of the base mesh. */
+  stepOf(vertex: number): Promise<VertexStep | null> {
+    return this.#owner.stepOf(this.index, number(vertex, 'vertex'));
   }
 
   /** Makes a mesh with one of this lod's geometries part of it: its size on the screen then counts. */

@@ -2,7 +2,7 @@
 
 import type { PlainError } from '../error.ts';
 import type { LevelRequest } from '../protocol.ts';
-import type { Coloring, Phase } from '../types.ts';
+import type { Coloring, Phase, VertexStep } from '../types.ts';
 
 /** How much a mesh counts when one target is distributed over all meshes. */
 export interface MeshShare {
@@ -38,7 +38,9 @@ export type SceneOrder =
   | { type: 'stored'; bytes: Uint8Array; files: WebAssembly.Module }
   | { type: 'target'; target: SceneTarget; coloring: Coloring; ticket: number }
   /** A request for the indices of a level that is not shown. */
-  | { type: 'indices'; mesh: number; request: LevelRequest; id: number };
+  | { type: 'indices'; mesh: number; request: LevelRequest; id: number }
+  /** A question for the step that adds a vertex. */
+  | { type: 'step'; mesh: number; vertex: number; id: number };
 
 /** A mesh without levels. */
 export interface MeshArrays {
@@ -117,6 +119,7 @@ export type SceneReport =
   /** The document again, now with animations. */
   | { type: 'animations'; document: SceneDocument }
   | { type: 'indices'; id: number; lists: Uint32Array[] }
+  | { type: 'step'; id: number; step: VertexStep | null }
   /** Completed share of building all meshes. */
   | { type: 'building'; share: number }
   /** A mesh that cannot have levels. */

@@ -102,6 +102,12 @@ export class SceneEngine {
       case 'indices':
         this.#reportErrors(() => this.#postIndices(order.id, order.mesh, order.request));
         break;
+      case 'step': {
+        const model = this.#meshes[order.mesh]?.model;
+        const step = model ? model.step_of(order.vertex) : -1;
+        this.#report({ type: 'step', id: order.id, step: model && step >= 0 ? { step, error: model.error_at(step) } : null });
+        break;
+      }
     }
   }
 

@@ -114,7 +114,8 @@ export class SceneTask {
         await this.#animate(report.document);
         break;
       case 'indices':
-        this.#scene?.answer(report.id, report.lists);
+      case 'step':
+        this.#scene?.answer(report);
         break;
       case 'failed':
         this.#fail(fromPlain(report.error));

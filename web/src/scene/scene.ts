@@ -3,10 +3,10 @@
 import { Box3, Group, Matrix4, Vector3, type AnimationClip, type Camera, type Material, type Mesh, type Object3D } from 'three';
 import { StriataError } from '../error.ts';
 import type { LevelRequest } from '../protocol.ts';
-import type { Coloring, Kind, Phase, StriataEvents, StriataLod, StriataSceneLike, Timings } from '../types.ts';
+import type { Coloring, Kind, Phase, StriataEvents, StriataLod, StriataSceneLike, Timings, VertexStep } from '../types.ts';
 import { ColoredMeshes } from './colored-meshes.ts';
 import { SceneLod, type LodOwner } from './lod.ts';
-import type { MeshUpdate, SceneOrder, SceneState, SceneTarget } from './protocol.ts';
+import type { MeshUpdate, SceneOrder, SceneReport, SceneState, SceneTarget } from './protocol.ts';
 
 /** The interface through which a scene controls its loader. */
 export interface SceneHandle {
@@ -62,6 +62,7 @@ export class StriataScene extends Group<StriataEvents> implements StriataSceneLi
   #isSolid = false;
   #sentView = '';
   readonly #pendingIndices = new Map<number, (lists: Uint32Array[]) => void>();
+  readonly #pendingSteps = new Map<number, (step: VertexStep | null) => void>();
   #resolve!: () => void;
   #resolveAnimated!: () => void;
   #reject!: (error: StriataError) => void;
@@ -257,10 +258,12 @@ export class StriataScene extends Group<StriataEvents> implements StriataSceneLi
     if (updates.length > 0) this.dispatchEvent({ type: 'change' });
   }
 
-  /** Answers a request for indices; called by the loader. */
-  answer(id: number, lists: Uint32Array[]): void {
-    this.#pendingIndices.get(id)?.(lists);
-    this.#pendingIndices.delete(id);
+  /** Answers a request for indices or a step; called by the loader. */
+  answer(report: Extract<SceneReport, { type: 'indices' | 'step' }>): void {
+    if (report.type === 'indices') this.#pendingIndices.get(report.id)?.(report.lists);
+    else this.#pendingSteps.get(report.id)?.(report.step);
+    this.#pendingIndices.delete(report.id);
+    this.#pendingSteps.delete(report.id);
   }
 
   /** Takes the clips; called by the loader when no more will follow. */
@@ -291,6 +294,14 @@ export class StriataScene extends Group<StriataEvents> implements StriataSceneLi
       this.#handle.send({ type: 'indices', mesh, request, id });
       // The request may have changed what the engine shows.
       this.changed();
+    });
+  }
+
+  stepOf(mesh: number, vertex: number): Promise<VertexStep | null> {
+    return new Promise((resolve) => {
+      const id = ++this.#lastId;
+      this.#pendingSteps.set(id, resolve);
+      this.#handle.send({ type: 'step', mesh, vertex, id });
     });
   }
 

@@ -17,12 +17,8 @@ use striata_command::args::{
     strips_help,
 };
 use striata_command::strip_chain::{StripChain, StripPlan};
-#[cfg(all(feature = "serve", not(feature = "window")))]
-use striata_viewer::BrowserArgs;
 #[cfg(feature = "serve")]
-use striata_viewer::serve::{ServeArgs, ThumbnailArgs};
-#[cfg(feature = "window")]
-use striata_viewer::window::WindowArgs;
+use striata_viewer::serve::{ServeArgs, ShowArgs, ThumbnailArgs};
 
 pub(crate) use self::paged::{CellArgs, PagedArgs, PlanArgs, RunArgs};
 pub(crate) use self::render::{DrawnModel, PictureBackground, RenderArgs};
@@ -131,12 +127,9 @@ pub(crate) enum Verb {
     /// Serve a folder of models and the viewer over HTTP
     #[cfg(feature = "serve")]
     Serve(ServeArgs),
-    /// View a mesh at any level, in a window or a browser
-    #[cfg(feature = "window")]
-    View(WindowArgs),
-    /// View a mesh at any level, in a window or a browser
-    #[cfg(all(feature = "serve", not(feature = "window")))]
-    View(BrowserArgs),
+    /// View a mesh, a scene or a folder of them in the browser, at any level
+    #[cfg(feature = "serve")]
+    View(ShowArgs),
     /// Create a demo: levels, pictures and a viewer of a built-in mesh
     Demo(DemoArgs),
     /// Render a small picture of a mesh, without a GPU

@@ -24,8 +24,6 @@ use striata_command::failure::Failure;
 use striata_command::output::Output;
 #[cfg(feature = "serve")]
 use striata_viewer::serve;
-#[cfg(feature = "window")]
-use striata_viewer::window;
 
 /// Runs the verb on the command line.
 ///
@@ -55,10 +53,8 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Serve(args) => serve::run(args, &output),
         #[cfg(feature = "serve")]
         Verb::Thumbnail(args) => serve::thumbnail(args, &output),
-        #[cfg(feature = "window")]
-        Verb::View(args) => window::run(args, &output.with_drivers(args.drivers)),
-        #[cfg(all(feature = "serve", not(feature = "window")))]
-        Verb::View(args) => serve::show_in_browser(&args.file, &output),
+        #[cfg(feature = "serve")]
+        Verb::View(args) => serve::show(args, &output),
         #[cfg(feature = "gpu")]
         Verb::Demo(args) => demo::run(args, &output.with_drivers(args.drivers)),
         #[cfg(not(feature = "gpu"))]
@@ -95,7 +91,7 @@ fn check_json(cli: &Cli) -> Result<(), Failure> {
         Verb::Completions(_) => "completions",
         #[cfg(feature = "serve")]
         Verb::Thumbnail(_) => "thumbnail",
-        #[cfg(any(feature = "window", feature = "serve"))]
+        #[cfg(feature = "serve")]
         Verb::View(_) => "view",
         _ => return Ok(()),
     };

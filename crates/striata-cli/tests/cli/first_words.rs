@@ -20,7 +20,7 @@ fn help_and_version_are_words_too() {
 }
 
 #[test]
-#[cfg(any(feature = "window", feature = "serve"))]
+#[cfg(feature = "serve")]
 fn a_file_alone_is_viewed() {
     let bench = Workbench::new();
     fs::write(bench.path("ball.obj"), sphere(8, 8)).unwrap();

@@ -107,20 +107,18 @@ fn the_server_of_the_guides_starts() {
     assert_eq!(server.report["models"], 3);
 }
 
-#[cfg(feature = "window")]
+#[cfg(all(unix, feature = "serve"))]
 #[test]
-fn the_windows_of_the_guides_open() {
+fn the_pages_of_the_guides_open() {
     for (name, guide) in guides() {
         let commands = blocks(&guide, "console").concat();
         for command in commands.lines().filter_map(|line| line.strip_prefix("$ striata view ")) {
             let bench = folder();
             let made = run_in_shell(&bench, &blocks(&guide, "sh")[0]);
             assert!(made.status.success(), "{name}: {}", String::from_utf8_lossy(&made.stderr));
-            let arguments: Vec<&str> =
-                command.split_whitespace().chain(["--screenshot", "shot.png"]).collect();
-            let output = crate::view::run_on_display(&bench, &arguments);
-            assert!(output.status.success(), "{command}: {}", String::from_utf8_lossy(&output.stderr));
-            assert!(bench.path("shot.png").exists(), "{command} shows nothing");
+            let arguments: Vec<&str> = command.split_whitespace().collect();
+            let shown = crate::view::Shown::start(&bench, &arguments);
+            assert!(shown.address().contains(&format!("?model=models/{}", arguments[0])), "{command}");
         }
     }
 }

@@ -41,8 +41,6 @@ fn every_verb_ends_with_two_examples() {
         let (_, examples) = text.split_once("Examples:\n").expect("examples");
         let count = examples.lines().filter(|line| line.starts_with("  striata ")).count();
         assert_eq!(count, 2, "{verb}:\n{text}");
-        // `view` has other flags in builds with a window.
-        let name = if verb == "view" && !cfg!(feature = "window") { "view_in_browser" } else { verb };
-        insta::assert_snapshot!(name, text);
+        insta::assert_snapshot!(verb, text);
     }
 }

@@ -29,7 +29,7 @@ mod strip_blocks;
 mod strip_levels;
 mod strips;
 mod verbs;
-#[cfg(feature = "window")]
+#[cfg(all(unix, feature = "serve"))]
 mod view;
 mod workbench;
 

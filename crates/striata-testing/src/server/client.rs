@@ -85,6 +85,12 @@ impl Connection {
         Ok(Self { reader: BufReader::new(stream) })
     }
 
+    /// Closes the connection in one or both directions.
+    pub fn close(&self, how: std::net::Shutdown) {
+        // It may be closed already.
+        let _ = self.reader.get_ref().shutdown(how);
+    }
+
     /// Sends raw bytes.
     pub fn say(&mut self, text: &str) -> io::Result<()> {
         self.reader.get_mut().write_all(text.as_bytes())

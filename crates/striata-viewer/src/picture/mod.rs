@@ -49,8 +49,6 @@ pub use paint::{ColoredTriangles, fan_colors, fragment_colors, group_colors, str
 pub use picture_renderer::PictureRenderer;
 pub use rendered_picture::Drawn;
 pub use scene_look::SceneLook;
-#[cfg(feature = "window")]
-pub(crate) use scene_look::{has_materials, in_parallel};
 pub use sheet::{ColorBar, Panel, Sheet, Theme, significant};
 pub use shot::{Line, Paint, Shot, Style};
 #[cfg(feature = "serve")]

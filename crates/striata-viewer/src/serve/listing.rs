@@ -33,6 +33,7 @@ const FRESH_FOR: Duration = Duration::from_secs(1);
 #[derive(Debug)]
 pub(super) struct Listing {
     folder: Arc<Folder>,
+    ends_with_page: bool,
     cache: Mutex<Cache>,
 }
 
@@ -51,6 +52,7 @@ pub(super) struct List {
     name: String,
     models: Arc<[(String, Stamp, HeaderFacts)]>,
     is_cut: bool,
+    ends_with_page: bool,
     json: Bytes,
     tag: String,
 }
@@ -63,6 +65,8 @@ struct Document<'a> {
     total: usize,
     /// Whether the list was truncated.
     is_cut: bool,
+    /// Whether the server stops when its page is closed, which the page then tells it.
+    ends_with_page: bool,
 }
 
 /// The part of the list that a request asks for: `models.json?from=100&count=50`.
@@ -135,6 +139,7 @@ impl List {
             models: models.map(|(path, stamp, head)| Model::new(path, *stamp, *head)).collect(),
             total: self.models.len(),
             is_cut: self.is_cut,
+            ends_with_page: self.ends_with_page,
         };
         // The document contains only numbers and strings, so serialization cannot fail.
         serde_json::to_vec(&document).unwrap_or_default().into()
@@ -143,8 +148,8 @@ impl List {
 
 impl Listing {
     /// Creates a listing whose list is built on the first request.
-    pub(super) fn new(folder: Arc<Folder>) -> Self {
-        Self { folder, cache: Mutex::default() }
+    pub(super) fn new(folder: Arc<Folder>, ends_with_page: bool) -> Self {
+        Self { folder, ends_with_page, cache: Mutex::default() }
     }
 
     /// Returns the list; concurrent callers wait while it is rebuilt.
@@ -154,8 +159,10 @@ impl Listing {
             return cache.list.clone();
         }
         let (folder, heads) = (self.folder.clone(), std::mem::take(&mut cache.heads));
+        let ends = self.ends_with_page;
         // If the walk panics, the old list is kept.
-        if let Ok((list, heads)) = tokio::task::spawn_blocking(move || build_list(&folder, heads)).await {
+        if let Ok((list, heads)) = tokio::task::spawn_blocking(move || build_list(&folder, heads, ends)).await
+        {
             (cache.list, cache.heads) = (list, heads);
         }
         cache.built_at = Some(Instant::now());
@@ -167,6 +174,7 @@ impl Listing {
 fn build_list(
     folder: &Folder,
     mut known: BTreeMap<String, (Stamp, HeaderFacts)>,
+    ends_with_page: bool,
 ) -> (List, BTreeMap<String, (Stamp, HeaderFacts)>) {
     let walked = folder.walk();
     let mut heads = BTreeMap::new();
@@ -180,6 +188,7 @@ fn build_list(
         name: folder.only().map_or_else(|| folder.name(), str::to_owned),
         models: heads.iter().map(|(path, &(stamp, head))| (path.clone(), stamp, head)).collect(),
         is_cut: walked.is_truncated,
+        ends_with_page,
         ..List::default()
     };
     list.json = list.part(Wanted::default());

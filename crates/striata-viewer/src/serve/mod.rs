@@ -2,7 +2,7 @@
 //!
 //! `folder` decides which files are accessible, `files` sends them (whole, in ranges, compressed),
 //! `listing` lists them, `thumbnails` draws small pictures of them, `assets` is the viewer, `guard` checks
-//! every request, and `server` manages connections.
+//! every request, `server` manages connections, and `session` ends the server of `view` with its page.
 //!
 //! Names are resolved through `cap-std`, so that symbolic links cannot leave the folder. On a loopback
 //! address only loopback host names and those of allowed proxies are accepted, which prevents DNS rebinding.
@@ -21,6 +21,8 @@ mod listing;
 mod options;
 mod server;
 mod server_state;
+mod session;
+mod show_args;
 mod thumbnail;
 mod thumbnails;
 mod validators;
@@ -37,6 +39,7 @@ use tokio::net::TcpListener;
 
 pub use self::args::{ServeArgs, ThumbnailArgs};
 pub use self::guard::HostName;
+pub use self::show_args::{FirstArgs, InspectedModel, PageColors, ShowArgs};
 pub use self::thumbnail::run as thumbnail;
 use assets::Assets;
 use folder::Folder;
@@ -62,19 +65,22 @@ pub fn run(args: &ServeArgs, output: &Output) -> Result<(), Failure> {
     serve_one(&args.path, &Options::from(args), output)
 }
 
-/// Serves one file on this machine and opens it in the browser.
+/// Shows a file or a folder in the browser, until the page is closed or the process is stopped.
 ///
 /// # Errors
-/// If it cannot be served.
-pub fn show_in_browser(file: &Path, output: &Output) -> Result<(), Failure> {
-    striata_command::input::Input::check_exists(file)?;
-    if !cfg!(feature = "window") {
-        output.say("this build has no window (add it with `--features full`); opening the browser instead");
+/// If it does not exist, or cannot be served.
+pub fn show(args: &ShowArgs, output: &Output) -> Result<(), Failure> {
+    striata_command::input::Input::check_exists(&args.path)?;
+    let options = Options::from(args);
+    if args.path.is_dir() && !options.parameters.is_empty() {
+        let message =
+            format!("{}: the settings are for one model, and this is a folder", args.path.display());
+        return Err(Failure::usage(message).with_hint("name a file of the folder, or leave the settings out"));
     }
-    serve_one(file, &Options::for_browser(), output)
+    serve_one(&args.path, &options, output)
 }
 
-/// Serves a folder or a file until the process is stopped.
+/// Serves a folder or a file until the process is stopped, or the session ends.
 ///
 /// # Errors
 /// Fails like [`run`].
@@ -96,19 +102,28 @@ async fn serve(folder: Arc<Folder>, options: &Options, output: &Output) -> Resul
     let address =
         listener.local_addr().map_err(|error| Failure::user(format!("cannot read the port: {error}")))?;
     let is_local = address.ip().is_loopback();
+    let session = options.ends_with_page.then(Arc::default);
     let server_state = ServerState {
-        listing: Arc::new(Listing::new(folder.clone())),
+        listing: Arc::new(Listing::new(folder.clone(), options.ends_with_page)),
+        session: session.clone(),
         thumbnails: Arc::new(Thumbnails::new()?),
         assets: Arc::new(Assets::load()),
         folder,
     };
     let models = server_state.listing.current().await.model_count;
-    announce(&server_state.folder, address, models, output)?;
-    let url = url_to_open(&server_state.folder, address);
+    let url = url_to_open(&server_state.folder, address, &options.parameters);
+    let way_to_stop = if options.ends_with_page {
+        "close the page, or press Ctrl-C, to stop"
+    } else {
+        "press Ctrl-C to stop"
+    };
+    warn_of_others(&server_state.folder, address, output);
+    output.data(&ServeReport { url: base_url(address), models }, &format!("{url}\n"))?;
+    output.say(&format!("serving {}; {way_to_stop}", described(&server_state.folder, models)));
     if options.opens_browser && open::that_detached(&url).is_err() {
         output.say(&format!("cannot open a browser; open {url} yourself"));
     }
-    server::run(listener, router(server_state, is_local, options), options).await;
+    server::run(listener, router(server_state, is_local, options), options, session).await;
     output.say("stopped");
     Ok(())
 }
@@ -120,6 +135,7 @@ fn router(server_state: ServerState, is_local: bool, options: &Options) -> Route
         .route("/models.json", get(listing::handle))
         .route("/models/{*path}", get(files::handle))
         .route("/pictures/{*path}", get(thumbnails::handle))
+        .route("/session", get(session::handle))
         .fallback_service(viewer)
         .with_state(server_state);
     guard::guarded(router, hosts, options.allows_other_sites)
@@ -150,21 +166,20 @@ async fn listen(options: &Options) -> Result<TcpListener, Failure> {
     })
 }
 
-fn announce(folder: &Folder, address: SocketAddr, models: usize, output: &Output) -> Result<(), Failure> {
+fn warn_of_others(folder: &Folder, address: SocketAddr, output: &Output) {
     if !address.ip().is_loopback() {
         output.say(&format!(
             "warning: everyone who can reach {address} can read the models in {}",
             folder.path().display()
         ));
     }
-    let report = ServeReport { url: base_url(address), models };
-    let what = match folder.only() {
+}
+
+fn described(folder: &Folder, models: usize) -> String {
+    match folder.only() {
         Some(name) => name.to_owned(),
         None => format!("{} models in {}", format_count(models), folder.path().display()),
-    };
-    output.data(&report, &format!("{}\n", url_to_open(folder, address)))?;
-    output.say(&format!("serving {what}; press Ctrl-C to stop"));
-    Ok(())
+    }
 }
 
 /// URL of the server on this machine; an unspecified address is replaced by localhost.
@@ -177,11 +192,11 @@ fn base_url(mut address: SocketAddr) -> String {
     format!("http://{address}/")
 }
 
-/// URL of the viewer, with the model if there is only one.
-fn url_to_open(folder: &Folder, address: SocketAddr) -> String {
+/// URL of the viewer, with the model and its settings if there is only one.
+fn url_to_open(folder: &Folder, address: SocketAddr, parameters: &str) -> String {
     let base = base_url(address);
     match folder.only() {
-        Some(name) => format!("{base}?model=models/{}", folder::encoded(name)),
+        Some(name) => format!("{base}?model=models/{}{parameters}", folder::encoded(name)),
         None => base,
     }
 }
@@ -201,12 +216,5 @@ mod tests {
         ] {
             assert_eq!(base_url(address.parse().expect("an address")), url);
         }
-    }
-
-    #[test]
-    fn the_browser_mode_serves_only_this_machine() {
-        let options = Options::for_browser();
-        assert_eq!((options.host.as_str(), options.port), ("127.0.0.1", 0));
-        assert!(options.opens_browser && !options.allows_other_sites);
     }
 }

@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use super::args::ServeArgs;
 use super::guard::HostName;
+use super::show_args::ShowArgs;
 
 /// Options of the server.
 #[derive(Clone, Debug)]
@@ -22,11 +23,15 @@ pub(crate) struct Options {
     pub allows_other_sites: bool,
     /// Whether the default browser is opened.
     pub opens_browser: bool,
+    /// Whether the server stops when its page is closed.
+    pub ends_with_page: bool,
+    /// Parameters of the address that is opened, behind the model.
+    pub parameters: String,
 }
 
-impl Options {
-    /// Options for a single user on this machine: any free port, and the browser is opened.
-    pub(crate) fn for_browser() -> Self {
+impl From<&ShowArgs> for Options {
+    /// Options for a single user on this machine: any free port.
+    fn from(args: &ShowArgs) -> Self {
         Self {
             host: "127.0.0.1".to_owned(),
             port: 0,
@@ -34,7 +39,9 @@ impl Options {
             max_connections: 64,
             time_out: Duration::from_secs(60),
             allows_other_sites: false,
-            opens_browser: true,
+            opens_browser: !args.no_open,
+            ends_with_page: true,
+            parameters: args.first.parameters(),
         }
     }
 }
@@ -49,6 +56,8 @@ impl From<&ServeArgs> for Options {
             time_out: Duration::from_secs(args.time_out),
             allows_other_sites: args.cors,
             opens_browser: args.open,
+            ends_with_page: false,
+            parameters: String::new(),
         }
     }
 }

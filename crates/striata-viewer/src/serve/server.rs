@@ -17,6 +17,7 @@ use tokio_io_timeout::TimeoutStream;
 
 use super::connections::{Client, Connections};
 use super::options::Options;
+use super::session::Session;
 
 /// Buffer size per connection, which also limits the size of request headers.
 const BUFFER_BYTES: usize = 64 * 1024;
@@ -29,13 +30,26 @@ const PLACE_RETRY_DELAY: Duration = Duration::from_millis(100);
 /// Pause after a failed accept, when the system has no resources for another connection.
 const ACCEPT_RETRY_DELAY: Duration = Duration::from_millis(50);
 
-/// Serves until the process receives a termination signal.
-pub(super) async fn run(listener: TcpListener, router: Router, options: &Options) {
+/// Serves until the process receives a termination signal, or the session ends.
+pub(super) async fn run(
+    listener: TcpListener,
+    router: Router,
+    options: &Options,
+    session: Option<Arc<Session>>,
+) {
     let permits = Arc::new(Semaphore::new(options.max_connections));
     // Others find a place even if one address takes all it can.
     let connections = Arc::new(Connections::new(options.max_connections.div_ceil(2)));
     let graceful = GracefulShutdown::new();
-    let mut shutdown = pin!(termination_signal());
+    let mut shutdown = pin!(async {
+        match session {
+            Some(session) => tokio::select! {
+                () = session.ended.notified() => {}
+                () = termination_signal() => {}
+            },
+            None => termination_signal().await,
+        }
+    });
     loop {
         let stream = tokio::select! {
             next = next_connection(&listener, &permits, &connections) => next,

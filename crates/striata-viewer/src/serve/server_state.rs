@@ -7,6 +7,7 @@ use axum::extract::FromRef;
 use super::assets::Assets;
 use super::folder::Folder;
 use super::listing::Listing;
+use super::session::Session;
 use super::thumbnails::Thumbnails;
 
 /// State of the server; each request handler accesses the part that it needs.
@@ -16,6 +17,8 @@ pub(super) struct ServerState {
     pub listing: Arc<Listing>,
     pub thumbnails: Arc<Thumbnails>,
     pub assets: Arc<Assets>,
+    /// The pages that keep the server alive, if any do.
+    pub session: Option<Arc<Session>>,
 }
 
 impl FromRef<ServerState> for Arc<Folder> {
@@ -39,5 +42,11 @@ impl FromRef<ServerState> for Arc<Thumbnails> {
 impl FromRef<ServerState> for Arc<Assets> {
     fn from_ref(state: &ServerState) -> Self {
         state.assets.clone()
+    }
+}
+
+impl FromRef<ServerState> for Option<Arc<Session>> {
+    fn from_ref(state: &ServerState) -> Self {
+        state.session.clone()
     }
 }
