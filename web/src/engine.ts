@@ -11,7 +11,7 @@ import { isContainer, isStream } from './magic.ts';
 import { asPlain, asStriataError, isFailure, StriataError, type PlainError } from './error.ts';
 import type { LevelRequest, NewVertices, Order, Report, State, Update } from './protocol.ts';
 import type { MeshArrays } from './scene/protocol.ts';
-import type { Coloring, Kind, Phase } from './types.ts';
+import type { Coloring, Kind, Phase, VertexStep } from './types.ts';
 import { decompressed } from './unpack.ts';
 import { yieldToEventLoop } from './event-loop.ts';
 
@@ -120,6 +120,9 @@ export class Engine {
         this.#request = order.request;
         this.#coloring = order.coloring;
         if (this.#model.is_ready) this.#reportErrors(() => this.#postUpdate(order.ticket));
+        break;
+      case 'step':
+        this.#report({ type: 'step', step: stepOf(this.#model, order.vertex) });
         break;
     }
   }
@@ -364,4 +367,10 @@ export class Engine {
       updateMs: this.#updateMs,
     };
   }
+}
+
+/** The step that adds a vertex; null for vertices of the base mesh. */
+export function stepOf(model: Model, vertex: number): VertexStep | null {
+  const step = model.step_of(vertex);
+  return step < 0 ? null : { step, error: model.error_at(step) };
 }

@@ -152,6 +152,9 @@ export class MeshTask {
       case 'accepted':
         this.#mesh?.accept(report.ticket);
         break;
+      case 'step':
+        this.#mesh?.answerStep(report.step);
+        break;
       case 'building':
         this.#progress('build', report.share);
         break;

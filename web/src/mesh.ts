@@ -8,7 +8,7 @@ import { GrowingGeometry } from './buffers.ts';
 import { StriataError } from './error.ts';
 import { coloredTriangles } from './colored-triangles.ts';
 import type { LevelRequest, Order, State, Update } from './protocol.ts';
-import type { Coloring, Kind, StriataEvents, StriataMeshLike, Timings } from './types.ts';
+import type { Coloring, Kind, StriataEvents, StriataMeshLike, Timings, VertexStep } from './types.ts';
 import { viewOf } from './view.ts';
 
 /** The interface through which a mesh controls its loader. */
@@ -55,6 +55,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
   #isSettled = true;
   #isDisposed = false;
   /** Requests for indices of other levels; each is answered in turn, and then the shown level is requested again. */
+  readonly #pendingSteps: ((step: VertexStep | null) => void)[] = [];
   readonly #pendingIndices: { request: LevelRequest; resolve: (lists: Uint32Array[]) => void }[] = [];
   #awaitedIndices: ((lists: Uint32Array[]) => void) | undefined;
   #resolve!: () => void;
@@ -250,6 +251,20 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
       this.#pendingIndices.push({ request, resolve });
       this.#send();
     });
+  }
+
+  /** The step that adds a vertex; null for vertices of the base mesh, and for those of paged files, which have no numbers. */
+  stepOf(vertex: number): Promise<VertexStep | null> {
+    if (this.kind === 'paged') return Promise.resolve(null);
+    return new Promise((resolve) => {
+      this.#pendingSteps.push(resolve);
+      this.#loader.send({ type: "step", vertex });
+    });
+  }
+
+  /** Answers the oldest question for a step; called by the loader. */
+  answerStep(step: VertexStep | null): void {
+    this.#pendingSteps.shift()?.(step);
   }
 
   /** Notes that the backs of the triangles cannot be seen. */

@@ -2,7 +2,7 @@
 
 import type { PlainError } from './error.ts';
 import type { MeshArrays } from './scene/protocol.ts';
-import type { Coloring, Kind, Phase } from './types.ts';
+import type { Coloring, Kind, Phase, VertexStep } from './types.ts';
 
 /** A request for a level of detail. */
 export interface LevelRequest {
@@ -25,7 +25,9 @@ export type Order =
   /** A mesh whose levels are built by the second wasm module. */
   | { type: 'arrays'; arrays: MeshArrays; builder?: WebAssembly.Module }
   /** A request to show a level. */
-  | { type: 'show'; request: LevelRequest; coloring: Coloring; ticket: number };
+  | { type: 'show'; request: LevelRequest; coloring: Coloring; ticket: number }
+  /** A question for the step that adds a vertex. */
+  | { type: 'step'; vertex: number };
 
 /** New vertices, starting at index `first`. */
 export interface NewVertices {
@@ -82,6 +84,7 @@ export type Report =
   | Update
   /** A request whose level will follow in updates without a ticket. */
   | { type: 'accepted'; ticket: number }
+  | { type: 'step'; step: VertexStep | null }
   | { type: 'building'; share: number }
   /** Loading has failed. If no update was sent before, there is no mesh either. */
   | { type: 'failed'; error: PlainError }

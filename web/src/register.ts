@@ -128,7 +128,8 @@ class Refinement {
         for (const { mesh } of report.meshes) this.#replace(mesh);
         break;
       case 'indices':
-        this.scene.answer(report.id, report.lists);
+      case 'step':
+        this.scene.answer(report);
         break;
       case 'failed':
         console.warn(`striata: ${report.error.message}; the coarse level stays`);

@@ -249,11 +249,9 @@ export class Viewer {
     this.#isIncomplete = false;
     this.#remove();
     const view = keepsCamera ? null : (source.view ?? null);
-    if (view) {
-      this.onView(view);
-      // Full detail of a paged file would be all of it.
-      if (view.level || model.kind !== 'paged') this.detail.restore(view.level);
-    }
+    if (view) this.onView(view);
+    // Full detail of a paged file would be all of it.
+    if (!keepsCamera && (view?.level || model.kind !== 'paged')) this.detail.restore(view?.level ?? null);
     this.model = model;
     this.#source = source;
     this.stage.lighting.use('lamps');

@@ -121,7 +121,7 @@ export class BuildTask {
         break;
       case 'indices':
       case 'step':
-        scene.answer(report.id, report.lists);
+        scene.answer(report);
         break;
       case 'failed':
         this.#reject(fromPlain(report.error));

@@ -3,7 +3,7 @@
 import { Group, type Mesh } from 'three';
 import type { LevelRequest } from '../protocol.ts';
 import type { StriataMesh } from '../mesh.ts';
-import type { Coloring, LevelTarget, LoaderOptions, Phase, StriataLod, Timings } from '../types.ts';
+import type { Coloring, LevelTarget, LoaderOptions, Phase, StriataLod, Timings, VertexStep } from '../types.ts';
 import { StriataScene } from './scene.ts';
 
 /** Returns a scene whose only mesh is this one. */
@@ -93,6 +93,8 @@ class MeshLod implements StriataLod {
       : triangles !== undefined ? { by: 'triangles', value: triangles, limit: 0 } : { by: 'detail', value: detail ?? 1, limit: 0 };
     return this.#mesh.indicesOf(request);
   }
+
+  stepOf(vertex: number): Promise<VertexStep | null> { return this.#mesh.stepOf(vertex); }
 
   /** Copies of a single mesh share its geometry, but only the mesh itself chooses levels. */
   attach(): void {}

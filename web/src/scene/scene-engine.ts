@@ -11,6 +11,7 @@ import { asPlain, asStriataError, isFailure, StriataError, type PlainError } fro
 import type { LevelRequest } from '../protocol.ts';
 import type { Coloring, Phase } from '../types.ts';
 import { buildModel, startBuilder } from '../build.ts';
+import { stepOf } from '../engine.ts';
 import { startFiles } from '../files.ts';
 import { distribute } from './distribute.ts';
 import type { MeshArrays, MeshUpdate, NewLayer, SceneDocument, SceneImage, SceneOrder, SceneReport, SceneState, SceneTarget } from './protocol.ts';
@@ -104,8 +105,7 @@ export class SceneEngine {
         break;
       case 'step': {
         const model = this.#meshes[order.mesh]?.model;
-        const step = model ? model.step_of(order.vertex) : -1;
-        this.#report({ type: 'step', id: order.id, step: model && step >= 0 ? { step, error: model.error_at(step) } : null });
+        this.#report({ type: 'step', id: order.id, step: model ? stepOf(model, order.vertex) : null });
         break;
       }
     }
