@@ -34,7 +34,7 @@ class OrderExtension {
         level.setIndices(levelIndices(indices, numbers, n), full.getTotalVertices());
         level.setBoundingInfo(full.getBoundingInfo());
         [level.skeleton, level.morphTargetManager, level.material] = [full.skeleton, full.morphTargetManager, full.material];
-        // The sphere covers this share of the screen when the error covers so many pixels.
+        // The sphere covers this share of the screen when the error covers that many pixels.
         const area = scene.getEngine().getRenderWidth() * scene.getEngine().getRenderHeight();
         full.addLODLevel(Math.min(1, (Math.PI * (radius * PIXELS / error) ** 2) / area), level);
       }

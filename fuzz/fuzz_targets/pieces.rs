@@ -1,5 +1,5 @@
-//! Opens files of arbitrary bytes in pieces and reads all of them: an error, or consistent pieces. What the
-//! reader of whole files accepts as glTF has the same triangles in pieces.
+//! Opens files of arbitrary bytes in pieces and reads all of them: an error, or consistent pieces. A glTF
+//! file that the reader of whole files accepts has the same triangles in pieces.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

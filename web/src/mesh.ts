@@ -258,7 +258,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
     if (this.kind === 'paged') return Promise.resolve(null);
     return new Promise((resolve) => {
       this.#pendingSteps.push(resolve);
-      this.#loader.send({ type: "step", vertex });
+      this.#loader.send({ type: 'step', vertex });
     });
   }
 

@@ -65,7 +65,7 @@ pub(crate) fn run() -> Result<()> {
     machine::remove_folder(&scratch)
 }
 
-/// Whether a line tells how long a phase has run, as slow machines print.
+/// Whether a line says how long a phase has run, as slow machines print.
 fn is_progress(line: &str) -> bool {
     let time = line.rsplit_once(", ").and_then(|(_, time)| time.strip_suffix(" s"));
     time.is_some_and(|secs| secs.parse::<u32>().is_ok())

@@ -26,7 +26,7 @@ enum Evidence {
     NonEmptyFolder(&'static str),
 }
 
-const REQUIREMENTS: [Requirement; 13] = [
+const REQUIREMENTS: &[Requirement] = &[
     // A dev-dependency that the simplifier is compared with is written in C++.
     Requirement { evidence: Evidence::Program(&["c++", "g++", "clang++"]), package: "g++" },
     // The glTF validator and the browser tests run on Node.js.

@@ -286,7 +286,7 @@ fn entries<'v>(document: &'v Value, key: &str) -> &'v [Value] {
     document.get(key).and_then(Value::as_array).map_or(&[], Vec::as_slice)
 }
 
-/// Merges equal parts of a scene if `merges`, leaves out keyframes if the user wishes it, and reports what is gone.
+/// Merges equal parts of a scene if `merges`, leaves out keyframes if the options say so, and reports what was removed.
 ///
 /// # Errors
 /// If the data of an animation are damaged.

@@ -15,7 +15,7 @@ use crate::CompanionFile;
 use crate::error::Place;
 use crate::report::Warnings;
 
-/// Largest number that is added to a name; there are never so many files of one name.
+/// Largest number that is added to a name; no folder has more files of one name.
 const MAX_NUMBER: u32 = 100_000;
 
 /// Largest number of folders of a path that are left out to find an image.

@@ -11,13 +11,13 @@
 //! Readers accept any bytes: they return a mesh, or an error with the place and the reason, and allocate no
 //! more than the size of the input justifies. One rule holds for all formats, in memory and in pieces:
 //!
-//! * **What has a clear meaning is kept**, even if the format does not allow it: keywords in another case,
+//! * **Anything with a clear meaning is kept**, even if the format does not allow it: keywords in another case,
 //!   line ends of any system, a byte order mark, counts in the line of the keyword, chunks without padding,
 //!   explicit nulls.
-//! * **What has no meaning is left out**, and reported once for each kind with a count and the first place, as
-//!   a [`Warning`]: unknown statements, normals and texture coordinates that do not exist, polygons with less
+//! * **Anything without a meaning is left out**, and reported once for each kind with a count and the first place,
+//!   as a [`Warning`]: unknown statements, normals and texture coordinates that do not exist, polygons with less
 //!   than three corners, points and lines.
-//! * **What is no number is repaired** (`repair`): a vertex that is not finite is left out, with a warning if
+//! * **Values that are not numbers are repaired** (`repair`): a vertex that is not finite is left out, with a warning if
 //!   triangles use it, which are left out too. Normals and tangents follow from the triangles, texture
 //!   coordinates become 0, colors 1, displacements 0, and weights are normalized. Generic attributes keep NaN,
 //!   which means "no value" in them.
@@ -69,7 +69,7 @@
 //! * **Files that the source refers to** are found under their names, with `\` as `/`, without a query, in
 //!   another case, or percent-decoded, in this order. They are read inside its folder; also in folders above
 //!   it if the source is a path, or [`Source::outside_allowed`] is set. A link that leads out of the folder is
-//!   never followed, and nothing absolute is read. What is missing is a [`Warning`] that says why, except for
+//!   never followed, and nothing absolute is read. A missing file is a [`Warning`] that says why, except for
 //!   buffers of glTF, without which there is no mesh.
 //! * **Images that glTF cannot store** (TGA, BMP) become PNG when they are read, and the opacity of `map_d`
 //!   becomes the alpha of the base color image.

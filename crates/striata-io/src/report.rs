@@ -85,7 +85,7 @@ impl WarningKind {
     /// The reason says everything.
     const NONE: Self = Self("", "");
     pub(crate) const LINES: Self = Self("line skipped", "lines skipped");
-    /// What a file draws besides triangles.
+    /// Primitives other than triangles.
     pub(crate) const SHAPES: Self = Self("line, point or curve left out", "lines, points or curves left out");
     pub(crate) const POLYGONS: Self = Self("polygon left out", "polygons left out");
 }

@@ -269,7 +269,7 @@ fn targets_of_any_attribute_come_back() {
             serde_json::json!({ "bufferView": view, "componentType": 5126, "count": count, "type": kind });
         scene.push("accessors", accessor)
     };
-    // Each value tells its vertex, which levels and writers may number anew.
+    // Each value identifies its vertex, because levels and writers may renumber vertices.
     let vertex = |v: usize| v as f32;
     let base = serde_json::json!({
         "TEXCOORD_0": push(2, &vertex), "COLOR_0": push(4, &|_| 0.0), "_HEAT": push(1, &vertex),

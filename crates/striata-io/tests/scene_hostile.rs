@@ -57,7 +57,7 @@ fn nodes_must_form_a_tree() {
     refused(&with_nodes(json!([{ "mesh": 3 }])), &["nodes[0].mesh", "meshes[3] does not exist"]);
     refused(&with_nodes(json!([{ "mesh": 0, "rotation": [0, 0, 0, 0] }])), &["nodes[0]", "no length"]);
     refused(&with_nodes(json!([{ "mesh": 0, "skin": 0 }])), &["nodes[0].skin", "skins[0] does not exist"]);
-    // What the default scene does not show may be broken.
+    // Nodes outside of the default scene may be broken.
     survives(&read(&with_nodes(json!([{ "mesh": 0 }, { "children": [2] }, { "children": [1] }]))).unwrap());
     // Numbers that are too large for matrices.
     let huge = with_nodes(json!([{ "scale": [1e300, 1e300, 1e300], "children": [1] },

@@ -116,7 +116,7 @@ fn materials_of_obj_files_come_back_unchanged() {
         "wall.png",
     ];
     assert_eq!(names(&folder.path().join("out")), expected);
-    // What is there already is not written again, and not moved.
+    // Existing files are neither written again nor moved.
     let path = folder.path().join("in/lib/b.obj");
     assert_eq!(warnings_of(&path, &mesh), [""; 0]);
     assert_eq!(names(&folder.path().join("in/lib")), ["a.mtl", "b.mtl", "b.obj", "leaf.png", "maps"]);

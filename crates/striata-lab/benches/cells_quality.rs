@@ -23,7 +23,7 @@ type Fallible<T> = Result<T, Box<dyn Error>>;
 
 /// Levels, as shares of the triangles.
 const SHARES: [f64; 6] = [0.25, 0.1, 0.05, 0.02, 0.01, 0.005];
-/// A second level of the file has so many times as many triangles, to find how its distance depends on them.
+/// Factor of the triangle count of a second level, from which the dependence of the distance is found.
 const MORE: f64 = 1.05;
 /// Samples of a distance.
 const SAMPLES: usize = 300_000;

@@ -159,7 +159,7 @@ fn shortest(
     seed_count: u64,
 ) -> Fallible<Option<(u32, Spread, Spread)>> {
     for length in LENGTHS {
-        // One seed tells whether the others are worth it.
+        // One seed shows whether the others are worth trying.
         if tunneling.strip_count(mesh, length, 0)? > target + target / 8 {
             continue;
         }

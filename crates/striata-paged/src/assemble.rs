@@ -12,7 +12,7 @@ const NONE: u32 = u32::MAX;
 /// Loaded pages as one mesh.
 #[derive(Clone, Debug)]
 pub struct Assembled {
-    /// The mesh with its levels. Its full detail is all that the pages contain.
+    /// The mesh with its levels. Its full detail is the full detail of the pages.
     pub refinable: RefinableMesh,
     /// Key of each step, never increasing.
     pub keys: Vec<f32>,
@@ -82,7 +82,7 @@ impl PositionOrder {
         for (slot, page) in (0..).zip(loaded.pages()) {
             positions.extend((0..page.first.len().saturating_sub(1) as u32).map(|p| (slot, p)));
         }
-        // The base page has no keys: it is before everything.
+        // The base page has no keys, and comes first.
         let key = |&(slot, p): &(u32, u32)| {
             loaded.page(slot).keys.get(p as usize).copied().unwrap_or(f32::INFINITY)
         };
@@ -200,7 +200,7 @@ fn sequence(
             let target = targets[(v - base_vertex) as usize];
             let at = positions.position_of(target);
             if at >= p {
-                // Pages that do not fit together; the sequence will be refused.
+                // The pages do not match; the sequence will be refused.
                 break;
             }
             if corners.iter().enumerate().any(|(i, &(other, _))| i != finest && other == at) {

@@ -1,10 +1,10 @@
-//! The directory: what is known about every page without reading it.
+//! The directory: place, counts, bounds and errors of every page.
 
 use serde::{Deserialize, Serialize};
 
 use crate::{Page, PageId};
 
-/// A page has at most this many bounds.
+/// Maximum number of bounds of a page.
 pub(crate) const MAX_BOUNDS: usize = 8;
 
 /// Part of a page: where some of its owned positions are, and the largest error among their steps.
@@ -35,7 +35,7 @@ pub struct PageEntry {
     pub vertex_count: u32,
     /// Number of triangles with an owned corner.
     pub triangle_count: u32,
-    /// Number of triangles that the page adds to the surface, nearly.
+    /// Approximate number of triangles that the page adds to the surface.
     pub added_triangle_count: u32,
     /// Largest error of its steps, in mesh units.
     pub error: f32,

@@ -1,4 +1,4 @@
-//! A quick hash of indices; nobody chooses them to collide, and a collision would only cost time.
+//! A fast hash of indices. It does not resist deliberate collisions, which would only cost time.
 
 use std::hash::{BuildHasherDefault, Hasher};
 

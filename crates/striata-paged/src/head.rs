@@ -3,7 +3,7 @@
 //! ```text
 //! prefix  64 bytes: magic, version, flags, sizes of metadata and root, offset of the pages, checksums
 //! metadata         JSON
-//! root             small files: all entries; large ones: what is known about each leaf
+//! root             small files: all entries; large ones: an entry for each leaf
 //! leaves           up to 1,024 entries each
 //! pages            coarse to fine
 //! ```
@@ -21,13 +21,13 @@ pub const PREFIX_BYTES: u64 = 64;
 const VERSION: u32 = 1;
 /// Flag: pages are objects of their own.
 const SEPARATE: u32 = 1;
-/// Above this number of pages, the directory has leaves.
+/// Number of pages above which the directory has leaves.
 const MAX_ROOT_PAGES: usize = 2048;
 /// Pages per leaf.
 const LEAF_PAGES: usize = 1024;
-/// A head cannot be larger than this.
+/// Maximum size of a head in bytes.
 const MAX_HEAD_BYTES: u64 = 1 << 32;
-/// Nor have more pages.
+/// Maximum number of pages.
 const MAX_PAGES: u64 = 1 << 28;
 
 /// The first bytes of a paged file.
@@ -147,7 +147,7 @@ fn joined(entries: &[PageEntry]) -> PageBound {
     all
 }
 
-/// Low bits of keys and errors that are always zero.
+/// Number of low bits of keys and errors that are always zero.
 const KEY_BITS: u32 = 18;
 const ERROR_BITS: u32 = 17;
 

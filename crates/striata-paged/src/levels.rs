@@ -1,4 +1,4 @@
-//! A paged file as a source of levels, of which only the pages are read that they need.
+//! A paged file as a source of levels; only the pages that a level needs are read.
 
 use striata::levels::{FoundLevel, Levels, LevelsFacts};
 use striata::mesh::{Bounds, IndexedMesh, replay};
@@ -7,7 +7,7 @@ use striata::view::{DetailBox, ScreenError};
 
 use crate::{Assembled, PagedCut, PagedError, PagedFile, ViewCut};
 
-/// Pages and steps that the last level of a paged file was made of.
+/// Pages and steps from which the last level of a paged file was made.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ShownPages {
     /// Number of pages whose vertices are in the level.
@@ -26,7 +26,7 @@ pub(crate) struct LevelState {
 }
 
 impl PagedFile {
-    /// Returns what the last level of [`Levels`] was made of.
+    /// Returns the pages and steps from which the last level of [`Levels`] was made.
     pub fn shown_pages(&self) -> ShownPages {
         self.levels.shown
     }

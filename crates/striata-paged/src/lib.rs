@@ -1,8 +1,11 @@
 //! Paged `.striata` files: continuous level of detail of meshes that do not fit into memory.
 //!
-//! A mesh is built in cells of space, in tasks that any executor may run ([`build`]). The steps of one cell are
-//! one [`Page`]; a paged file is a head and pages, coarse to fine. Any set of pages that contains the parents of
-//! its members is a valid mesh: what is absent is coarser, never cracked.
+//! A mesh is built in cells of space, in tasks that any executor can run ([`build`]). The steps of one cell form a
+//! [`Page`]; a paged file is a head and pages, coarse to fine. Any set of pages that contains the parents of its
+//! members is a valid mesh: a region whose page is absent is coarser, but never has cracks.
+//!
+//! The error of a step covers the steps below it: it is the root of the sum of their squared errors, or the largest
+//! distance in the cell plus the errors of finer levels, whichever is less.
 //!
 //! [`PagedFile`] reads the pages that a level needs; [`PagedReader`] does the same without any input and output,
 //! for programs that fetch bytes themselves. [`assemble`] makes a mesh of pages, with all of its levels;
@@ -10,7 +13,7 @@
 //!
 //! | file | what it does |
 //! | --- | --- |
-//! | `metadata.rs`, `directory.rs`, `head.rs` | what is known before any page is read |
+//! | `metadata.rs`, `directory.rs`, `head.rs` | the parts that are read before any page |
 //! | `page.rs`, `codec/` | pages and their bytes |
 //! | `reader.rs`, `store.rs`, `supplied_store.rs`, `paged_file.rs`, `paged_view.rs` | reading what a level or a view needs |
 //! | `loaded.rs`, `replaced.rs`, `mesh_parts.rs` | how pages in memory refer to each other |

@@ -1,4 +1,4 @@
-//! Pages that have been read, and what their imports refer to.
+//! Pages that have been read, with the vertices to which their imports refer.
 
 use std::collections::HashMap;
 
@@ -124,8 +124,8 @@ impl<'a> LoadedPages<'a> {
     }
 }
 
-/// The import that each owned vertex becomes when all steps of its page are undone, numbered as in the page. Of the
-/// base page, which has no steps, every vertex stays.
+/// The import to which each owned vertex has collapsed when all steps of its page are undone, numbered as in the page.
+/// The base page has no steps, so its vertices stay.
 pub(crate) fn coarse_vertices(page: &Page) -> Vec<u32> {
     let owned = page.positions.len() as u32;
     if page.targets.is_empty() {
@@ -133,7 +133,7 @@ pub(crate) fn coarse_vertices(page: &Page) -> Vec<u32> {
     }
     let mut coarse: Vec<u32> = page.targets.clone();
     for v in 0..coarse.len() {
-        // Targets have larger keys, so this ends.
+        // Targets have larger keys, so the loop terminates.
         let mut at = coarse[v];
         while at < owned {
             at = coarse[at as usize];

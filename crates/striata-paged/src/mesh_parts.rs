@@ -11,7 +11,7 @@ use crate::{Metadata, Page};
 pub(crate) struct Triangles {
     /// Corners and group.
     pub list: Vec<([u32; 3], u32)>,
-    /// Their data.
+    /// Attribute layers of the triangles.
     pub layers: Vec<AttributeLayer>,
 }
 
@@ -30,7 +30,7 @@ impl Triangles {
     }
 }
 
-/// Groups, triangles and their data, as a mesh has them: sorted by group.
+/// Groups, triangles and their data in the order of a mesh: sorted by group.
 pub(crate) fn grouped(
     triangles: Triangles,
     metadata: &Metadata,
@@ -58,7 +58,7 @@ pub(crate) fn grouped(
     (groups, triangles.into_iter().map(|(corners, _)| corners).collect(), layers)
 }
 
-/// Attribute layers of some vertices, without the layer that only tells materials apart.
+/// Attribute layers of some vertices, without the layer that only separates materials.
 pub(crate) fn gathered_layers(
     loaded: &LoadedPages<'_>,
     vertices: &[VertexPlace],

@@ -16,7 +16,7 @@ pub struct PagedGrid {
     pub step: [f64; 3],
 }
 
-/// Writes one number if the axes have the same.
+/// Writes a single number if all axes have the same one.
 fn one_if_equal<S: Serializer>(step: &[f64; 3], serializer: S) -> Result<S::Ok, S::Error> {
     if step[0] == step[1] && step[1] == step[2] {
         return serializer.serialize_f64(step[0]);
@@ -116,7 +116,7 @@ pub(crate) fn index_of(value: f32, step: f64) -> i64 {
     ((f64::from(value) / step).round()).clamp(-LARGEST_MULTIPLE, LARGEST_MULTIPLE) as i64
 }
 
-/// Name of the layer that tells wedges of different materials apart.
+/// Name of the layer that separates wedges of different materials.
 const MATERIAL: &str = "generic_material";
 
 impl PagedGrid {
@@ -233,7 +233,7 @@ impl Metadata {
         (0..3).map(|a| (f64::from(self.max[a]) - f64::from(self.min[a])).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// Checks what sizes are computed from.
+    /// Checks the counts from which sizes are computed.
     pub(crate) fn check(&self) -> Result<(), String> {
         if let Some(grid) = &self.grid
             && !(grid.step.iter().all(|&step| step > 0.0 && step.is_finite())
@@ -266,17 +266,17 @@ impl Metadata {
         }
     }
 
-    /// Whether a layer only tells wedges of different materials apart.
+    /// Whether a layer exists only to separate wedges of different materials.
     pub fn is_material_layer(layer: &AttributeLayer) -> bool {
         layer.semantic == semantic_of(MATERIAL)
     }
 
-    /// Whether vertices of different materials must be told apart.
+    /// Whether vertices of different materials must be kept separate.
     fn has_materials(&self) -> bool {
         self.groups.windows(2).any(|pair| pair[0].material != pair[1].material)
     }
 
-    /// Adds the layer that tells wedges of different materials apart, if there are several.
+    /// Adds the layer that separates wedges of different materials, if there are several materials.
     pub fn declare_material_layer(&mut self) {
         if self.has_materials() {
             self.layers.push(PagedLayer {

@@ -16,9 +16,10 @@ pub struct Import {
 
 /// A decoded page.
 ///
-/// Vertices are numbered locally: first the `n` that the page owns, then its imports. Loading the page replaces
-/// the triangles that its own become when every owned vertex collapses to its target. Positions are numbered in
-/// the order in which the triangles meet them; refinement restores those with larger keys first.
+/// Vertices are numbered locally: first the `n` that the page owns, then its imports. If every owned vertex collapses
+/// to its target, the triangles of the page become triangles of coarser pages; loading the page replaces those.
+/// Positions are numbered in the order in which the triangles use them; refinement restores positions with larger
+/// keys first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Page {
     /// Level and cell.
@@ -60,7 +61,7 @@ impl Page {
         self.groups.get(triangle).copied().unwrap_or(0)
     }
 
-    /// Number that tells triangles with the same corners apart: a hash of group and data.
+    /// Number that distinguishes triangles with the same corners: a hash of group and data.
     pub(crate) fn tag_of(&self, triangle: usize) -> u32 {
         let mut tag = self.group_of(triangle);
         for layer in &self.triangle_layers {

@@ -10,9 +10,9 @@ use crate::{
     open_store,
 };
 
-/// Pages of earlier levels are kept as long as all pages in memory have at most so many vertices, about 600 MB.
+/// Default limit of the vertices of all pages in memory, about 600 MB; beyond it, pages of earlier levels are dropped.
 const MAX_CACHED_VERTICES: u64 = 10_000_000;
-/// Most bytes that are in memory before their pages are decoded, if no single want has more.
+/// Maximum number of bytes in memory before their pages are decoded, unless a single request is larger.
 const MAX_BATCH_BYTES: u64 = 32 << 20;
 
 /// Numbers of requests, bytes and pages that have been read so far.
@@ -26,7 +26,7 @@ pub struct ReadStatistics {
     pub page_count: u64,
 }
 
-/// A paged file, folder or address, of which only those pages are read that a level needs.
+/// A paged file, folder or address; only the pages that a level needs are read.
 ///
 /// ```no_run
 /// use striata_paged::PagedFile;
@@ -67,8 +67,8 @@ impl PagedFile {
         Ok(file)
     }
 
-    /// Forgets pages of earlier levels if all pages in memory would have more vertices than this; a vertex
-    /// takes about 60 bytes. By default, these are 10 million.
+    /// Sets the number of vertices above which pages of earlier levels are dropped from memory; default 10 million.
+    /// A vertex takes about 60 bytes.
     #[must_use]
     pub fn with_max_vertices(self, max_vertices: u64) -> Self {
         Self { max_vertices, ..self }
@@ -137,7 +137,7 @@ impl PagedFile {
     /// Reads pages, which must contain all of their ancestors, and makes one mesh with levels of them.
     ///
     /// # Errors
-    /// [`PagedError`] if a page cannot be read or does not fit to the others.
+    /// [`PagedError`] if a page cannot be read or does not match the others.
     pub fn assemble(&mut self, pages: &[u32]) -> Result<Assembled, PagedError> {
         self.load(pages)?;
         assemble(&self.loaded(pages), self.metadata())
@@ -146,7 +146,7 @@ impl PagedFile {
     /// Reads pages, which must contain all of their ancestors, to cut levels of varying detail from them.
     ///
     /// # Errors
-    /// [`PagedError`] if a page cannot be read or does not fit to the others.
+    /// [`PagedError`] if a page cannot be read or does not match the others.
     pub fn cut_pages(&mut self, pages: &[u32]) -> Result<CutPages<'_>, PagedError> {
         self.load(pages)?;
         CutPages::new(&self.loaded(pages), self.metadata())
@@ -159,7 +159,7 @@ impl PagedFile {
         self.fetch()
     }
 
-    /// Forgets pages of earlier levels, if there would be too many with those that are needed now.
+    /// Drops pages of earlier levels if memory would otherwise exceed the limit.
     fn make_room(&mut self, pages: &[u32]) {
         let vertices = |page: u32| self.reader.entry(page).map_or(0, |entry| u64::from(entry.vertex_count));
         let known: Vec<u32> = self.reader.pages().map(|(index, _)| index).collect();
@@ -171,7 +171,7 @@ impl PagedFile {
         }
     }
 
-    /// Those of some pages that have been read.
+    /// The pages among `pages` that have been read.
     fn loaded(&self, pages: &[u32]) -> Vec<(u32, &Page)> {
         pages.iter().filter_map(|&index| Some((index, self.reader.page(index)?))).collect()
     }
@@ -227,7 +227,7 @@ impl PagedFile {
         }
     }
 
-    /// The mesh with all levels that some targets select; each target is resolved in its sequence.
+    /// The mesh with all levels that some targets select. Each target is resolved in the sequence of that mesh.
     ///
     /// # Errors
     /// See [`Self::assemble`].

@@ -4,13 +4,13 @@ use striata::view::{Criterion, DetailBox, Part, ScreenError, Sphere};
 
 use crate::{PageBound, PagedCut, PagedError, PagedFile, PagedReader};
 
-/// A tolerance is relaxed by at most this factor.
+/// Maximum factor by which tolerances are relaxed.
 const MAX_RELAXATION: f32 = 1e9;
 /// Factor between the tolerances that are tried until there are too many triangles.
 const COARSE_STEP: f32 = 3.0;
-/// At most so many tolerances are tried after that.
+/// Maximum number of tolerances that are tried after that.
 const SEARCH_STEPS: usize = 8;
-/// A level with at least this share of the triangles that are allowed is good enough.
+/// Share of the allowed triangles from which a level is accepted.
 const GOOD_SHARE: f64 = 0.97;
 
 /// A level for a view.
@@ -46,7 +46,7 @@ impl PagedFile {
     /// The coarsest level that refines every step that a criterion wants; reads only the pages that this needs.
     ///
     /// # Errors
-    /// [`PagedError`] if a page cannot be read or does not fit to the others.
+    /// [`PagedError`] if a page cannot be read or does not match the others.
     pub fn level_for(&mut self, criterion: &(impl Criterion + Sync)) -> Result<PagedCut, PagedError> {
         let pages = self.select(|bound| criterion.weigh(&bound.part()).should_refine())?;
         let error = self.reader().error_without(&pages);
@@ -70,7 +70,7 @@ impl PagedFile {
         self.level_within(limit, |file, factor| file.level_for(&criterion.clone().relaxed(factor)))
     }
 
-    /// The level with full detail in a box, and outside of it as many triangles as a limit allows.
+    /// The level with full detail in a box, and as many triangles outside of it as a limit allows.
     ///
     /// # Errors
     /// See [`Self::level_for`].

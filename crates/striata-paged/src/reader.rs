@@ -1,4 +1,4 @@
-//! A reader without input and output: it says which bytes it wants, and takes them.
+//! A reader without input and output: the caller asks which bytes it needs, fetches them and passes them in.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -8,11 +8,11 @@ use crate::{
     HeadDefect, Leaf, Metadata, PREFIX_BYTES, Page, PageBound, PageEntry, PageId, PagedError, Prefix, Root,
 };
 
-/// Bytes that are wanted first: enough for the head of most files.
+/// Size of the first request: enough for the head of most files.
 const FIRST_BYTES: u64 = 1 << 16;
-/// Pages closer than this in a file are read at once, in bytes.
+/// Pages that are at most this many bytes apart in a file are read together.
 const MAX_GAP: u64 = 1 << 14;
-/// Most bytes that are wanted at once.
+/// Maximum size of a request in bytes.
 const MAX_WANT: u64 = 8 << 20;
 
 /// File or object that contains bytes.
@@ -56,7 +56,7 @@ struct ReadHead {
 }
 
 impl PagedReader {
-    /// Creates a reader that knows nothing.
+    /// Creates a reader that has not read anything yet.
     pub fn new() -> Self {
         Self::default()
     }
@@ -86,7 +86,7 @@ impl PagedReader {
         self.pages.iter().map(|(&index, page)| (index, page))
     }
 
-    /// Forgets a page.
+    /// Drops a page from memory.
     pub fn evict(&mut self, page: u32) {
         self.pages.remove(&page);
         self.requested.remove(&page);
@@ -98,8 +98,9 @@ impl PagedReader {
         self.requested.extend(pages.into_iter().filter(|&page| page < count));
     }
 
-    /// Finds the pages of which some part needs detail, and all of their ancestors: a set that can be assembled.
-    /// The base page always belongs to it.
+    /// Finds the pages with at least one part that needs detail, and all of their ancestors: a set that can be
+    /// assembled.
+    /// The set always contains the base page.
     ///
     /// Returns `None` if more of the directory must be read first: fetch what is wanted, and call it again.
     pub fn select(&mut self, mut needs: impl FnMut(&PageBound) -> bool) -> Option<Vec<u32>> {
@@ -140,8 +141,8 @@ impl PagedReader {
         head.wanted_leaves.is_empty().then(|| selected.into_iter().collect())
     }
 
-    /// Asks for the parts of the directory that have pages with keys of at least `key`; returns whether all of
-    /// them have been read. Otherwise, fetch what is wanted, and call it again.
+    /// Requests the parts of the directory that have pages with keys of at least `key`, and returns whether all of
+    /// them have been read. If it returns false, fetch what is wanted and call it again.
     pub fn request_directory(&mut self, key: f32) -> bool {
         let Some(head) = &mut self.head else { return false };
         let is_missing = |leaf: &Leaf| !head.entries.contains_key(&leaf.first_page);

@@ -11,7 +11,7 @@ use url::Url;
 
 use crate::{HEAD_NAME, PagedError, Store, StoredPlace, Want, page_path};
 
-/// Requests that are made at the same time.
+/// Number of simultaneous requests.
 const MAX_REQUESTS: usize = 16;
 
 /// A web server or a bucket, read in ranges.
@@ -102,7 +102,7 @@ mod writing {
 
     use super::{Arc, MAX_REQUESTS, PagedError, RemoteStore, StoredPlace};
 
-    /// Bytes of one part of an upload; buckets refuse smaller ones than 5 MiB.
+    /// Bytes of one part of an upload; buckets refuse parts of less than 5 MiB.
     const PART_BYTES: usize = 8 << 20;
 
     /// An object that is written in parts and becomes visible as a whole.
@@ -111,15 +111,15 @@ mod writing {
         parts: WriteMultipart,
     }
 
-    /// Objects that are written at the same time.
+    /// Number of objects that are written at the same time.
     pub(crate) struct Puts<'a> {
         store: &'a RemoteStore,
         requests: JoinSet<object_store::Result<object_store::PutResult>>,
     }
 
     impl RemoteStore {
-        /// Refuses an address whose bucket does not exist. What a server does not let us list, it may still let us
-        /// write.
+        /// Refuses an address whose bucket does not exist. A server that refuses to list the bucket is accepted, because
+        /// it may still allow writing.
         pub(crate) fn check_bucket(&self) -> Result<(), PagedError> {
             match self.runtime.block_on(self.store.list_with_delimiter(Some(&self.path))) {
                 Err(error @ object_store::Error::NotFound { .. }) => Err(self.failed(&error)),
@@ -127,7 +127,7 @@ mod writing {
             }
         }
 
-        /// Begins to write the file.
+        /// Starts writing the file.
         pub(crate) fn upload(&self) -> Result<Upload<'_>, PagedError> {
             let path = self.path_of(StoredPlace::Head)?;
             let upload = self.runtime.block_on(self.store.put_multipart(&path));
@@ -137,7 +137,7 @@ mod writing {
             Ok(Upload { store: self, parts: WriteMultipart::new_with_chunk_size(upload, PART_BYTES) })
         }
 
-        /// Begins to write objects.
+        /// Starts writing objects.
         pub(crate) fn put_all(&self) -> Puts<'_> {
             Puts { store: self, requests: JoinSet::new() }
         }
@@ -153,7 +153,7 @@ mod writing {
             Ok(())
         }
 
-        /// Drops what has been written, so that nobody pays for it.
+        /// Deletes the parts that have been written, because incomplete uploads are charged.
         pub(crate) fn abort(self) {
             // The error that led here is the one to report.
             let _ = self.store.runtime.block_on(self.parts.abort());

@@ -1,7 +1,7 @@
 //! Triangles that finer pages have replaced.
 //!
-//! A page lists the triangles of the surface at its own full detail. Where a finer page is refined, some of them
-//! are no longer there. The finer page names them by their corners.
+//! A page lists the triangles of the surface at its own full detail. When a finer page is refined, it replaces some
+//! of these triangles, and names them by their corners.
 
 use std::collections::HashMap;
 
@@ -26,7 +26,7 @@ impl Replaced {
         triangles.iter().for_each(|&(corners, tag)| self.add(corners, tag));
     }
 
-    /// Whether there are none.
+    /// Whether no triangle has been replaced.
     pub(crate) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

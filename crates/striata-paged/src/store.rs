@@ -7,18 +7,18 @@ use std::path::{Path, PathBuf};
 
 use crate::{HEAD_NAME, PagedError, StoredPlace, Want, page_path};
 
-/// A place that ranges of bytes are read from.
+/// A source of ranges of bytes.
 pub trait Store: Send + Sync {
     /// Name of the file, folder or address, for messages.
     fn name(&self) -> &str;
 
-    /// Reads bytes; fewer if the object ends before.
+    /// Reads bytes; returns fewer if the object ends early.
     ///
     /// # Errors
     /// [`PagedError::Io`] if the bytes cannot be read.
     fn read(&self, place: StoredPlace, range: Range<u64>) -> Result<Vec<u8>, PagedError>;
 
-    /// Reads several ranges, at once if that is quicker.
+    /// Reads several ranges, in parallel if that is faster.
     ///
     /// # Errors
     /// [`PagedError::Io`] of the first range that cannot be read.

@@ -1,4 +1,4 @@
-//! A store for programs that fetch bytes themselves, such as web pages: it says what it lacks.
+//! A store for programs that fetch bytes themselves, such as web pages: it lists the bytes that are missing.
 
 use std::collections::HashMap;
 use std::io;
@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use crate::{PagedError, Store, StoredPlace, Want};
 
-/// Bytes that have been supplied, and those that were wanted in vain. Clones share them.
+/// Bytes that have been supplied, and the ranges that were missing. Clones share them.
 ///
 /// If bytes are missing, a read fails with [`io::ErrorKind::WouldBlock`]. Take what is
 /// [wanted](Self::take_wants), fetch it, [supply](Self::supply) it, and repeat the call that failed: pages that
@@ -30,12 +30,12 @@ impl SuppliedStore {
         Self { name: name.to_owned(), ..Self::default() }
     }
 
-    /// Takes the list of bytes that the last read lacked.
+    /// Takes the list of ranges that the last read missed.
     pub fn take_wants(&self) -> Vec<Want> {
         std::mem::take(&mut self.lock().wants)
     }
 
-    /// Whether the last read lacked bytes that have not been [taken](Self::take_wants).
+    /// Whether the last read missed ranges that have not been [taken](Self::take_wants).
     pub fn lacks_bytes(&self) -> bool {
         !self.lock().wants.is_empty()
     }

@@ -31,7 +31,7 @@ for start in range(0, len(stream), piece):
 assert decoder.is_complete
 
 # %% [markdown]
-# What has arrived has all of its levels.
+# The part that has arrived has all of its levels.
 
 # %%
 decoder.lod().level(triangles=1000)

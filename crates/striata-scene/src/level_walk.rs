@@ -1,8 +1,8 @@
 //! Points of a level that are near the vertices of the full mesh.
 //!
 //! The search for a vertex starts at the vertex that it has collapsed to, and walks from triangle to nearer and nearer
-//! neighbors. What it finds is a point of the level, so its distance is never less than that from the level, and most
-//! often the same.
+//! neighbors. It finds a point of the level, so its distance is never less than that from the level, and most often
+//! the same.
 
 use glam::DVec3;
 use striata::mesh::{CollapseSequence, replay_into};

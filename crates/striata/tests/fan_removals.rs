@@ -76,7 +76,7 @@ fn follow(mesh: &FragmentedMesh, seed: u64, stride: usize) {
     assert_eq!(fragments_of(&again), fragments_of(&mesh.fragments));
     let counts: Vec<u32> = (0..=fans.step_count()).map(|s| levels.triangle_count_at(s) as u32).collect();
     assert_eq!(fans.triangle_counts(), counts);
-    // Positions of the base cannot be told apart, but the table does not depend on them.
+    // Positions of the base cannot be distinguished, but the table does not depend on them.
     let rebuilt = Fans::build(&FragmentedMesh { mesh: mesh.mesh.clone(), fragments: again });
     assert_eq!(rebuilt, fans);
 }

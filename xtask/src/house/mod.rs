@@ -5,6 +5,7 @@
 mod circles;
 mod counts;
 mod manifests;
+mod phrases;
 mod sources;
 
 use anyhow::{Result, ensure};
@@ -42,6 +43,7 @@ const CHECKS: &[Check] = &[
         limit: 0,
         find: counts::weak_openings,
     },
+    Check { name: "phrases that make text hard to read", limit: 40, find: phrases::forbidden },
     Check { name: "restricted pub per 10,000 lines of Rust", limit: 209, find: counts::restricted_pub },
     Check { name: "type names that are defined several times", limit: 34, find: counts::repeated_type_names },
     Check { name: "shared dependencies that no package uses", limit: 0, find: manifests::unused },

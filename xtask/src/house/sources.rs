@@ -21,16 +21,23 @@ pub(super) struct RustFile {
     pub syntax: syn::File,
 }
 
+/// Returns the files that git knows and that match one of the patterns, relative to the workspace.
+///
+/// # Errors
+/// If git does not run.
+pub(super) fn listed(patterns: &[&str]) -> Result<Vec<PathBuf>> {
+    let listed = Command::new("git").arg("ls-files").args(patterns).current_dir(workspace()).output()?;
+    ensure!(listed.status.success(), "git ls-files failed");
+    Ok(String::from_utf8(listed.stdout)?.lines().map(PathBuf::from).collect())
+}
+
 impl RustFiles {
     /// Reads and parses the files that git knows.
     ///
     /// # Errors
     /// If git does not run, or a file cannot be parsed.
     pub(super) fn read() -> Result<Self> {
-        let listed = Command::new("git").args(["ls-files", "*.rs"]).current_dir(workspace()).output()?;
-        ensure!(listed.status.success(), "git ls-files failed");
-        let listed = String::from_utf8(listed.stdout)?;
-        let files = listed.lines().map(|path| RustFile::read(Path::new(path))).collect::<Result<_>>()?;
+        let files = listed(&["*.rs"])?.iter().map(|path| RustFile::read(path)).collect::<Result<_>>()?;
         Ok(Self { files })
     }
 

@@ -24,6 +24,9 @@ use crate::workspace;
 /// Pages with tables, relative to the workspace, in addition to all pages in `docs`.
 const PAGES: [&str; 2] = ["README.md", "web/README.md"];
 
+/// Entries about tables that their markers leave out, relative to the workspace.
+const ENTRIES: &str = "docs/results/tables.txt";
+
 /// Arguments of `cargo xtask results`.
 #[derive(Debug, Args)]
 #[command(group = clap::ArgGroup::new("what").required(true))]
@@ -127,9 +130,10 @@ fn all_tables() -> Result<Vec<DocTable>> {
     let mut pages: Vec<PathBuf> = PAGES.iter().map(PathBuf::from).collect();
     add_pages(Path::new("docs"), &mut pages)?;
     let mut tables: Vec<DocTable> = Vec::new();
+    let entries = std::fs::read_to_string(workspace().join(ENTRIES))?;
     for page in pages {
         let text = std::fs::read_to_string(workspace().join(&page))?;
-        tables.extend(tables_of(&page.to_string_lossy(), &text)?);
+        tables.extend(tables_of(&page.to_string_lossy(), &text, &entries)?);
     }
     page::share_commands(&mut tables)?;
     Ok(tables)
@@ -165,6 +169,10 @@ mod tests {
             assert!(!table.commands.is_empty(), "{} has no command", table.name);
             let same_name = tables.iter().filter(|other| other.name == table.name);
             assert_eq!(same_name.count(), 1, "{} occurs twice", table.name);
+        }
+        let entries = std::fs::read_to_string(workspace().join(ENTRIES)).unwrap();
+        for name in entries.lines().filter_map(|line| line.strip_prefix("table: ")) {
+            assert!(tables.iter().any(|table| table.name == name), "no page has the table {name}");
         }
     }
 }

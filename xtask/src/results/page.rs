@@ -11,8 +11,11 @@
 //! | mesh | stripifier | blocks of | strips |
 //! ```
 //!
-//! * The command is in the code block between marker and table, or in the marker: `command: striata ...`, or
-//!   `command of: NAME` if another table has it.
+//! The entries of a marker may also be in `docs/results/tables.txt`, after a line `table: NAME` and up to an
+//! empty line, which keeps addresses out of what people read.
+//!
+//! * The command is in the code block between marker and table, or in an entry: `command: striata ...`, or
+//!   `command of: NAME` if another table has it; `names` are then shared too.
 //! * `keys:` are the columns that identify a row (by default the first one); an empty cell repeats the one
 //!   above.
 //! * `rows:` are prefixes of key cells, if only some rows can be checked.
@@ -56,18 +59,19 @@ pub(super) struct Row {
     cells: Vec<String>,
 }
 
-/// Returns the marked tables of a page.
+/// Returns the marked tables of a page; `entries` is the text of `tables.txt`.
 ///
 /// # Errors
 /// If a marker cannot be parsed, or is not followed by a table with its columns.
-pub(super) fn tables_of(page: &str, text: &str) -> Result<Vec<DocTable>> {
+pub(super) fn tables_of(page: &str, text: &str, entries: &str) -> Result<Vec<DocTable>> {
     let lines: Vec<&str> = text.lines().collect();
     let starts = (0..lines.len()).filter(|&at| lines[at].starts_with("<!-- table:"));
-    let table = |at: usize| DocTable::read(page, &lines, at).with_context(|| format!("{page}:{}", at + 1));
+    let table =
+        |at: usize| DocTable::read(page, &lines, at, entries).with_context(|| format!("{page}:{}", at + 1));
     starts.map(table).collect()
 }
 
-/// Copies commands to the tables that share those of another table.
+/// Copies commands and names to the tables that share those of another table.
 ///
 /// # Errors
 /// If there is no such table.
@@ -75,13 +79,16 @@ pub(super) fn share_commands(tables: &mut [DocTable]) -> Result<()> {
     for at in 0..tables.len() {
         let Some(name) = tables[at].command_of.clone() else { continue };
         let other = tables.iter().find(|table| table.name == name && table.command_of.is_none());
-        tables[at].commands = other.with_context(|| format!("no table `{name}`"))?.commands.clone();
+        let other = other.with_context(|| format!("no table `{name}`"))?;
+        let (commands, names) = (other.commands.clone(), other.names.clone());
+        tables[at].commands = commands;
+        tables[at].names.extend(names);
     }
     Ok(())
 }
 
 impl DocTable {
-    fn read(page: &str, lines: &[&str], start: usize) -> Result<Self> {
+    fn read(page: &str, lines: &[&str], start: usize, entries: &str) -> Result<Self> {
         let mut table = Self { page: page.to_owned(), line: start + 1, ..Self::default() };
         let length =
             lines[start..].iter().position(|line| line.contains("-->")).context("the marker has no end")?;
@@ -90,6 +97,9 @@ impl DocTable {
             if !line.is_empty() {
                 table.parse_line(line)?;
             }
+        }
+        for line in entries_of(entries, &table.name) {
+            table.parse_line(line)?;
         }
         let mut at = start + length + 1;
         while !lines.get(at).context("no table follows the marker")?.starts_with('|') {
@@ -183,6 +193,13 @@ impl DocTable {
     }
 }
 
+/// Returns the lines about a table: those from `table: NAME` to the next empty line.
+fn entries_of<'t>(entries: &'t str, name: &str) -> impl Iterator<Item = &'t str> + use<'t> {
+    let is_start = move |line: &&str| line.strip_prefix("table: ") == Some(name);
+    let from = entries.lines().position(|line| is_start(&line)).map_or(usize::MAX, |at| at + 1);
+    entries.lines().skip(from).take_while(|line| !line.is_empty())
+}
+
 /// Returns the commands of a code block, with continued lines joined and comments removed.
 fn commands_of(lines: &[&str]) -> Vec<String> {
     let mut commands: Vec<String> = Vec::new();
@@ -229,7 +246,7 @@ mod tests {
     #[test]
     fn malformed_markers_are_refused() {
         let table = "| a |\n| - |\n| 1 |\n";
-        let read = |marker: &str| tables_of("a.md", &format!("<!-- table: t\n{marker}\n-->\n{table}"));
+        let read = |marker: &str| tables_of("a.md", &format!("<!-- table: t\n{marker}\n-->\n{table}"), "");
         assert!(read("check: a").is_ok());
         for wrong in ["check: b", "keys: b", "json: a", "color: red", "nothing"] {
             assert!(read(wrong).is_err(), "{wrong}");
@@ -241,9 +258,11 @@ mod tests {
         let page = "<!-- table: a\n-->\n```sh\n# first\nstriata a \\\n    b\nstriata c # d\n```\n| x |\n| \
             - |\n\
             <!-- table: b\ncommand of: a\n-->\n| x |\n| - |\n";
-        let mut tables = tables_of("a.md", page).unwrap();
+        let mut tables = tables_of("a.md", page, "table: a\nnames: p = q\n\ntable: b\nkeys: x\n").unwrap();
         share_commands(&mut tables).unwrap();
         assert_eq!(tables[1].commands, ["striata a b", "striata c"]);
+        assert_eq!(tables[1].renamed("p".to_owned()), "q");
+        assert_eq!(tables[1].keys, ["x"]);
         assert!(!tables[1].is_checkable());
     }
 }

@@ -35,7 +35,7 @@ fn an_ordered_file_is_the_scene_with_the_tables_of_the_report() {
         assert_eq!(ordered[key], plain[key], "{key}");
     }
     assert_eq!(ordered["scene"]["node_count"], plain["scene"]["node_count"]);
-    // What a changed file would have wrong is left out, and said.
+    // An extension that no longer matches a changed file is left out, with a warning.
     let converted = bench.json("convert ordered.glb again.glb");
     assert!(converted["warnings"].to_string().contains("STRIATA_order"), "{converted}");
     assert!(!String::from_utf8_lossy(&bench.read("again.glb")).contains("STRIATA_order"));

@@ -23,7 +23,7 @@ const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 /// Replaces the accessors, buffer views and buffers of `root`, a copy of the document, by those that are
 /// carried; returns the buffer.
 ///
-/// `is_geometry` tells for each mesh whether its triangle primitives are left out.
+/// `is_geometry` says for each mesh whether its triangle primitives are left out.
 pub(super) fn carry(
     document: &GltfDocument<'_>,
     root: &mut Map<String, Value>,

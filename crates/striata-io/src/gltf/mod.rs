@@ -12,7 +12,7 @@
 //! kept as layers, but not the nodes, skins and channels that use them. Cost: one pass over each accessor of
 //! each block of vertices.
 //!
-//! What the writer has finished, `passes` may quantize and compress.
+//! After the writer has finished, `passes` may quantize and compress the file.
 //!
 //! Compressed geometry is decoded at first use: buffer views of meshoptimizer in `meshopt` (feature
 //! `meshopt`), primitives of Draco in `draco` and `draco_mesh` (feature `draco`). `unpacked` keeps the

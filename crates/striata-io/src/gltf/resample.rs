@@ -199,7 +199,7 @@ impl Track<'_> {
             }
             is_constant = is_near(self.value(start), self.value(key), half);
         }
-        // The last one tells how long the animation is.
+        // The last keyframe defines the length of the animation.
         if kept.last() != Some(&(count - 1)) {
             kept.push(count - 1);
         }

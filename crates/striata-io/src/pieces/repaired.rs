@@ -1,7 +1,6 @@
 //! Pieces without values that are not finite: the last step of every reader of pieces.
 //!
-//! What is left out is only found when a piece is read; the same piece is counted once, however often it is
-//! read.
+//! Omitted values are only found when a piece is read; a piece is counted once, however often it is read.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};

@@ -29,8 +29,8 @@ pub struct MergedParts {
 type Visit<'v> = dyn FnMut(&mut Value) + 'v;
 
 impl Scene {
-    /// Merges equal images, samplers, textures, materials, vertices and meshes, in this order, and tells how many were
-    /// left out.
+    /// Merges equal images, samplers, textures, materials, vertices and meshes, in this order, and reports how many
+    /// were left out.
     ///
     /// Materials and meshes with different names stay apart, because programs find them by their names, and so do
     /// those that an animation changes. A scene with an unknown extension, which may refer to any part by its

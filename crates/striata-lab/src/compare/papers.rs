@@ -230,11 +230,11 @@ fn digits(value: f64, unit: &str) -> String {
 pub(super) fn section(rows: &[PaperRow]) -> PageSection {
     PageSection {
         title: "Compared with the papers".to_owned(),
-        intro: "What the papers published about this mesh, and what this run measured on a mesh with as \
-                many triangles. MB are 10^6 bytes, including positions at 12 bytes per vertex. Ours in \
+        intro: "Figures that the papers published about this mesh, and those that this run measured on a mesh \
+                with as many triangles. MB are 10^6 bytes, including positions at 12 bytes per vertex. Ours in \
                 their count takes 4 bytes for every number, index and pointer for [RCRG06]; for [BRR02] \
-                2 for an integer and 4 for a pointer or a long one. What [RCRG06] calls vertices and \
-                strips takes 44 bytes per vertex, twice what positions and strips take here: compare \
+                2 for an integer and 4 for a pointer or a long one. The vertices and strips of \
+                [RCRG06] take 44 bytes per vertex, twice the size of positions and strips here: compare \
                 megabytes, not ratios. Construction counts the sequence, the strips and the model. \
                 Rendering is theirs in OpenGL's immediate mode on a graphics card of 2006, drawing \
                 included; ours is extraction and sending to a buffer, which is the CPU's part, over the \

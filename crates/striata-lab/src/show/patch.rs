@@ -16,7 +16,7 @@ pub(super) struct MeshPatch {
 }
 
 impl MeshPatch {
-    /// Finds the flattest part with `count` triangles; [`None`] if no part has so many.
+    /// Finds the flattest part with `count` triangles; [`None`] if no part has that many.
     ///
     /// # Errors
     /// [`MeshError`] if the mesh is inconsistent.

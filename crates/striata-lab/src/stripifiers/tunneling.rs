@@ -38,7 +38,7 @@ impl Tunneling {
         Self::Tunnel,
     ];
 
-    /// What the names mean.
+    /// Explanation of the names.
     pub const LEGEND: &str = "published: from single triangles, each visited once per search; per-path: once per \
         path; shortest-first: once per path, and longer tunnels only where no end has a shorter one; same-strip: once per path, and on from the same strip; static: with the identities from before each search; grown: strips are grown first; tunnel: ours, \
         which also moves ends.";

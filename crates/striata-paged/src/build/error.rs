@@ -1,11 +1,11 @@
-//! Why a build failed.
+//! Errors of a build.
 
 use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::{PageId, PagedError};
 
-/// Why a build failed.
+/// Reason why a build failed.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum PagedBuildError {
@@ -29,7 +29,7 @@ pub enum PagedBuildError {
     /// The bytes of a segment end early or contradict each other.
     #[error("a segment of a part file is damaged")]
     DamagedPart,
-    /// The plan is not one, or of another version.
+    /// The file is not a plan, or has another version.
     #[error("{}: not a plan of this version: {reason}", path.display())]
     Plan {
         /// The file.

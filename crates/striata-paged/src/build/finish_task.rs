@@ -65,7 +65,7 @@ pub(super) enum ResultDestination {
 }
 
 impl ResultDestination {
-    /// The kind of an output: a path without an extension is a folder.
+    /// Chooses the destination of an output: a path without an extension is a folder.
     ///
     /// # Errors
     /// [`PagedBuildError::Page`] if it is an address that cannot be written.
@@ -83,7 +83,7 @@ impl ResultDestination {
         Ok(if is_folder { Self::Folder } else { Self::File })
     }
 
-    /// Refuses an address that cannot be written, as far as this is known without writing.
+    /// Refuses an address that cannot be written, as far as that is known before writing.
     pub(super) fn check(&self) -> Result<(), PagedBuildError> {
         match self {
             Self::File | Self::Folder => Ok(()),
@@ -115,7 +115,7 @@ fn write_file(output: &Path, head: &[u8], each: &EachPage<'_>) -> Result<(), Pag
     file.write_all(head).map_err(failed)?;
     each(&mut |_, bytes| file.write_all(bytes).map_err(failed))?;
     let file = file.into_inner().map_err(|error| failed(error.into_error()))?;
-    // A name must not be seen before what it names, even if the power fails.
+    // The final name must not appear before the contents are on disk, even if the power fails.
     file.as_file().sync_all().map_err(failed)?;
     file.persist(output).map_err(|error| failed(error.error))?;
     Ok(())
@@ -128,7 +128,7 @@ fn write_folder(output: &Path, head: &[u8], each: &EachPage<'_>) -> Result<(), P
         fs::create_dir_all(folder).map_err(|source| PagedBuildError::io(folder, source))?;
         write_whole(&path, bytes)
     })?;
-    // The head comes last: without it, nobody sees the pages.
+    // The head is written last: readers ignore pages without a head.
     write_whole(&output.join(HEAD_NAME), head)
 }
 
@@ -152,7 +152,7 @@ fn write_to_address(
     let mut pages = store.put_all();
     each(&mut |id, bytes| Ok(pages.put(StoredPlace::Page(id), bytes)?))?;
     pages.finish()?;
-    // The head comes last: without it, nobody sees the pages.
+    // The head is written last: readers ignore pages without a head.
     let mut last = store.put_all();
     last.put(StoredPlace::Head, head)?;
     Ok(last.finish()?)

@@ -18,7 +18,7 @@ pub enum BuildInput {
     Files(Vec<PathBuf>),
     /// A generated terrain with this many samples per side, for tests and benchmarks.
     Terrain(u32),
-    /// Copies of one file side by side, for benchmarks.
+    /// Copies of one file next to each other, for benchmarks.
     Tiles {
         /// Number of copies.
         count: u32,
@@ -44,8 +44,8 @@ impl InputState {
         Ok(Self { path: path.to_owned(), bytes, modified, checksum: checksum_of(path)? })
     }
 
-    /// Compares the file with what it was. Its content is only read if the time differs, as that of a copy on
-    /// another machine does.
+    /// Checks that the file has not changed. Its contents are only read if the time differs, as for a copy on
+    /// another machine.
     fn check(&self) -> Result<(), PagedBuildError> {
         let (bytes, modified) = size_and_time(&self.path)?;
         let is_same = bytes == self.bytes
@@ -72,13 +72,13 @@ fn checksum_of(path: &Path) -> Result<u32, PagedBuildError> {
     }
 }
 
-/// Compares all files with what they were when the plan was made.
+/// Checks that no file has changed since the plan was made.
 pub(super) fn check_inputs(states: &[InputState]) -> Result<(), PagedBuildError> {
     states.iter().try_for_each(InputState::check)
 }
 
 impl BuildInput {
-    /// The files that are named, as they are now; those that they refer to are not among them.
+    /// The files that are named, as they are now, without the files that they refer to.
     pub(super) fn states(&self) -> Result<Vec<InputState>, PagedBuildError> {
         match self {
             Self::Files(paths) => paths.iter().map(|path| InputState::of(path)).collect(),

@@ -1,4 +1,4 @@
-//! Out-of-core build: turns a mesh of any size into pages, in tasks that any executor may run.
+//! Out-of-core build: turns a mesh of any size into pages, in tasks that any executor can run.
 //!
 //! ```text
 //!  make plan          Sort             Level 0 .. Level L-1          Encode             Finish
@@ -6,9 +6,10 @@
 //!  partition          cells            survivors into cells          entropy code       or a folder
 //! ```
 //!
-//! Tasks of a stage are independent; a stage begins when those before it are complete. Every task writes one part
-//! file (a level also its steps), beside its place and renamed when complete. So a task may be killed, repeated
-//! or run twice at once, on any machine that sees the folder, and the bytes of the result are always the same.
+//! The tasks of a stage are independent of each other, and a stage begins when all earlier stages are complete.
+//! Every task writes one part file (the task of a level also writes a file of steps) under a temporary name, and
+//! renames it when it is complete. So a task can be killed, repeated, or run twice at the same time, on any machine
+//! that can read the folder, and the bytes of the result are always the same.
 
 mod encode_task;
 mod error;
@@ -67,7 +68,7 @@ pub struct Estimate {
 }
 
 impl PagedPlan {
-    /// Reads the input once and plans the build of `output`; the plan and everything between its tasks is kept in
+    /// Reads the input once and plans the build of `output`. The plan and all intermediate results are stored in
     /// `folder`.
     ///
     /// # Errors
@@ -80,7 +81,7 @@ impl PagedPlan {
         progress: &mut ProgressFn<'_>,
     ) -> Result<Self, PagedBuildError> {
         let BuildPaths { output, folder } = paths;
-        // An output that cannot be written must be known before hours of work.
+        // Report an output that cannot be written before hours of work, not after them.
         finish_task::ResultDestination::of(output)?.check()?;
         fs::create_dir_all(folder).map_err(|source| PagedBuildError::io(folder, source))?;
         let inputs = input.states()?;
@@ -112,7 +113,7 @@ impl PagedPlan {
         finish_task::base_triangle_count(self)
     }
 
-    /// Removes the plan and everything between its tasks. The folder itself stays if it has other files.
+    /// Removes the plan and all intermediate results. The folder itself stays if it contains other files.
     ///
     /// # Errors
     /// [`PagedBuildError::Io`] if a file cannot be removed.
@@ -121,14 +122,14 @@ impl PagedPlan {
     }
 }
 
-/// Number of threads that fit into a size of memory in bytes: at least 1, at most the number of cores.
+/// Number of threads that fit into `memory` bytes: at least 1, at most the number of cores.
 pub fn threads_for_memory(memory: u64, cell: usize) -> usize {
     let per_thread = (THREAD_BYTES * cell as u64 / 65_536).max(64 << 20);
     let cores = std::thread::available_parallelism().map_or(1, usize::from) as u64;
     (memory / per_thread).clamp(1, cores) as usize
 }
 
-/// Name of the file by which a build claims its work folder.
+/// Name of the file that a build locks to claim its work folder.
 const LOCK_NAME: &str = "lock";
 
 /// Claim on a work folder, which ends when it is dropped.
@@ -138,8 +139,7 @@ pub struct WorkLock {
 }
 
 impl WorkLock {
-    /// Claims a work folder, which is created if it does not exist. Where the file system has no locks, nothing
-    /// is claimed.
+    /// Claims a work folder, and creates it if it does not exist. Claims nothing if the file system has no locks.
     ///
     /// # Errors
     /// [`PagedBuildError::InUse`] if another build works in it, [`PagedBuildError::Io`] if it cannot be created.
@@ -175,7 +175,7 @@ pub fn remove_work(folder: &Path) -> Result<(), PagedBuildError> {
             _ => {}
         }
     }
-    // Other files may be in it.
+    // The folder may contain other files.
     let _ = fs::remove_dir(folder);
     Ok(())
 }

@@ -38,12 +38,13 @@ pub struct BuildOptions {
     /// Whether positions and attributes are kept bit for bit instead of being rounded; default no, which rounds
     /// positions to at most 1/256 of the median edge.
     pub exact: bool,
-    /// Positions of borders that are closer than this, in mesh units, become one, transitively up to twice as
-    /// far; default none.
+    /// Distance in mesh units below which positions on borders are welded, transitively up to twice that distance;
+    /// default none.
     pub weld_distance: Option<f64>,
-    /// Heights of a terrain are multiplied by this; default 1.
+    /// Factor for the heights of a terrain; default 1.
     pub z_scale: f64,
-    /// Sample of a raster that stands for no height, besides what the file says; default none.
+    /// Another sample value of a raster that means "no height", in addition to the one that the file names;
+    /// default none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub nodata: Option<f64>,
     /// Weight of normals; see [`AttributeWeights`].
@@ -58,9 +59,9 @@ pub struct BuildOptions {
     pub change_topology: bool,
     /// Whether every connected part keeps a triangle, although the topology may change; default no.
     pub keep_parts: bool,
-    /// Whether all vertices on boundaries stay; default no.
+    /// Whether all vertices on boundaries are kept; default no.
     pub lock_boundary: bool,
-    /// Whether all vertices on borders between groups stay; default no.
+    /// Whether all vertices on borders between groups are kept; default no.
     pub lock_groups: bool,
     /// Whether seams only collapse along themselves; default no.
     pub keep_seams: bool,

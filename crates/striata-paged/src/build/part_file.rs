@@ -1,7 +1,7 @@
-//! Part files: what a task writes for later tasks, in segments named by level and cell.
+//! Part files: the output of a task for later tasks, in segments that are named by level and cell.
 //!
-//! A part is written beside its place and then renamed, so it is there as a whole or not at all; a task that runs
-//! twice writes the same bytes again. The table of segments is at the end.
+//! A part is written under a temporary name and then renamed, so a part file is either complete or absent. A task
+//! that runs twice writes the same bytes again. The table of segments is at the end.
 
 use std::fs::File;
 use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
@@ -25,7 +25,7 @@ pub(super) struct PartSegment {
     pub byte_count: u64,
 }
 
-/// Writes a part file; without [`Self::finish`], nothing stays.
+/// Writes a part file, which is removed unless [`Self::finish`] is called.
 pub(super) struct PartWriter {
     path: PathBuf,
     file: BufWriter<tempfile::NamedTempFile>,
@@ -48,7 +48,7 @@ impl PartWriter {
         self.file.write_all(bytes).map_err(|source| PagedBuildError::io(&self.path, source))
     }
 
-    /// Writes the table and moves the file to its place.
+    /// Writes the table and gives the file its final name.
     pub(super) fn finish(mut self) -> Result<(), PagedBuildError> {
         let mut table = Vec::with_capacity(self.segments.len() * ENTRY_BYTES + TAIL_BYTES);
         for segment in &self.segments {

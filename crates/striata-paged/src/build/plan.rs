@@ -13,13 +13,13 @@ use crate::Metadata;
 
 /// Version of the plan and of all part files.
 const VERSION: u32 = 1;
-/// A stage has at least so many tasks, if it has as many cells.
+/// Minimum number of tasks of a stage that has at least as many cells.
 const MIN_TASKS: u64 = 16;
 /// Name of the plan in its folder.
 const PLAN_NAME: &str = "plan.json";
-/// Name of the positions that become others, in the same folder.
+/// Name of the file of welded positions in the same folder.
 const WELD_NAME: &str = "weld.bin";
-/// Name of the partition in the same folder.
+/// Name of the file of the partition in the same folder.
 const PARTITION_NAME: &str = "partition.bin";
 
 /// Work of a task.
@@ -77,15 +77,15 @@ impl BuildStage {
     }
 }
 
-/// Everything that tasks need to know.
+/// Input, options, metadata and tasks of a build.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PagedPlan {
     version: u32,
     /// Input that is read.
     pub input: BuildInput,
-    /// The files of the input when it was read first.
+    /// The files of the input, as they were when the plan was made.
     inputs: Vec<InputState>,
-    /// How it is built.
+    /// Options of the build.
     pub options: BuildOptions,
     /// Metadata of the mesh, which the result contains.
     pub metadata: Metadata,
@@ -99,7 +99,7 @@ pub struct PagedPlan {
     /// Warnings about parts left out when the input was read for the plan; empty for a plan that is opened again.
     #[serde(skip)]
     pub warnings: Vec<striata_io::Warning>,
-    /// Remark on how positions are kept; none for a plan that is opened again.
+    /// Remark on how positions are stored; `None` for a plan that is opened again.
     #[serde(skip)]
     pub note: Option<&'static str>,
     #[serde(skip)]
@@ -108,14 +108,14 @@ pub struct PagedPlan {
     weld: WeldMap,
 }
 
-/// Facts of an input that are known once it has been read for the first time.
+/// Facts about an input that are known after the first pass over it.
 pub(super) struct Scanned {
     pub metadata: Metadata,
     pub partition: Partition,
     pub piece_count: u64,
-    /// Remark on how positions are kept.
+    /// Remark on how positions are stored.
     pub note: Option<&'static str>,
-    /// Positions that become others, if a distance for that was given.
+    /// Positions that are welded to others, if a distance was given.
     pub weld: Option<WeldMap>,
 }
 
@@ -135,7 +135,7 @@ impl PagedPlan {
             }
         };
         bundle(TaskKind::Sort, piece_count, options.pieces_per_task.max(1));
-        // Coarse levels have few cells: with one task for all of them, all other workers would wait.
+        // Coarse levels have few cells: if one task had all of them, the other workers would be idle.
         let cells_per_task = |cells: u64| cells.div_ceil(MIN_TASKS).clamp(1, options.cells_per_task.max(1));
         let cells = |level: usize| u64::from(partition.levels()[level].cell_count());
         let level_count = partition.levels().len();
@@ -214,7 +214,7 @@ impl PagedPlan {
         check_inputs(&self.inputs)
     }
 
-    /// Positions that become others.
+    /// Positions that are welded to others.
     pub(super) fn weld(&self) -> &WeldMap {
         &self.weld
     }
@@ -283,7 +283,7 @@ impl PagedPlan {
     }
 }
 
-/// Creates a file that disappears unless it is renamed, with the permissions of any other new file.
+/// Creates a temporary file, which is removed unless it is renamed, with the permissions of an ordinary new file.
 pub(super) fn temporary_in(folder: &Path) -> std::io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".part-");
@@ -292,7 +292,7 @@ pub(super) fn temporary_in(folder: &Path) -> std::io::Result<tempfile::NamedTemp
     builder.tempfile_in(folder)
 }
 
-/// Writes a file beside its place and renames it.
+/// Writes a file under a temporary name in the same folder, and renames it.
 pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), PagedBuildError> {
     let failed = |source| PagedBuildError::io(path, source);
     let folder = path.parent().unwrap_or(Path::new("."));

@@ -9,10 +9,10 @@ use super::plan::{BuildStage, BuildTask, PagedPlan, TaskKind};
 use super::{PagedBuildError, finish_task, simplify_task, sort_task};
 use striata::{Cancelled, Progress, ProgressFn};
 
-/// Told how many tasks are done; may stop the others.
+/// Callback that receives the number of finished tasks and can stop the others.
 pub(super) type TaskProgress<'p> = dyn FnMut(u64) -> Result<(), Cancelled> + 'p;
 
-/// Calls `run` for every index, on several threads; the first error stops all.
+/// Calls `run` for every index, on several threads; the first error stops all of them.
 pub(super) fn in_parallel(
     count: usize,
     threads: usize,
@@ -40,7 +40,7 @@ pub(super) fn in_parallel(
                         }
                         break;
                     }
-                    // Nobody listens after a failure.
+                    // After a failure, the receiver no longer exists.
                     let _ = sender.send(());
                 }
             });
@@ -61,7 +61,7 @@ pub(super) fn in_parallel(
 /// Runs all tasks that have not been run, on this many threads.
 ///
 /// # Errors
-/// [`PagedBuildError`] of the first task that fails. What other tasks have completed stays, and a later run goes on.
+/// [`PagedBuildError`] of the first task that fails. Completed tasks are kept, and a later run continues from them.
 pub fn run_all(
     plan: &PagedPlan,
     threads: usize,
@@ -89,7 +89,7 @@ pub fn run_stage(
     let before = before + (tasks.len() - open.len()) as u64;
     let mut report = |done: u64| Progress { phase: name, done: before + done, total }.report(progress);
     in_parallel(open.len(), threads, &mut report, |index| inputs.run(plan, open[index]))?;
-    // What was read while a file changed would be of both.
+    // Data that was read while a file changed would mix both versions.
     if matches!(inputs, StageInputs::Sort(_)) { plan.check_inputs() } else { Ok(()) }
 }
 

@@ -28,7 +28,7 @@ struct PieceScan {
     /// Lengths of some edges.
     edges: Vec<f32>,
     samples: Vec<[f32; 3]>,
-    /// Positions that may be joined with others.
+    /// Positions that may be welded to others.
     border: Vec<[f32; 3]>,
 }
 
@@ -83,8 +83,8 @@ pub(super) fn scan(
     Ok(Scanned { metadata, partition, piece_count: count, note, weld })
 }
 
-/// Number of levels after which a base mesh is reached. All but the last leave a quarter of the triangles, and only
-/// the last, which has one cell, can stop at a number of them.
+/// Number of levels before the base mesh. Every level but the last leaves a quarter of the triangles; only the
+/// last one, which has a single cell, can stop at a given number of triangles.
 fn level_limit(mut triangle_count: u64, base: u64) -> usize {
     let mut levels = 1;
     while triangle_count / 4 >= base {
@@ -150,7 +150,7 @@ fn describe(source: &dyn PieceSource, options: &BuildOptions, total: &PieceScan)
     metadata
 }
 
-/// A name without the folder, which the result must not depend on, nor tell.
+/// A name without its folder, because the result must neither depend on the folder nor reveal it.
 fn without_folder(name: &str) -> &str {
     name.rsplit(['/', '\\']).next().unwrap_or(name)
 }
@@ -164,11 +164,11 @@ fn stored_options(options: &BuildOptions) -> serde_json::Value {
     value
 }
 
-/// Grid of the positions; `None` if they are kept.
+/// Grid of the positions; `None` if they are stored exactly.
 ///
-/// The median edge has 256 steps or more; a few large triangles, or one stray vertex, do not coarsen it. If
-/// another axis has other units, as heights in meters above degrees, its extent gives its step: `n` triangles
-/// have about `sqrt(n)` positions along it.
+/// The median edge is at least 256 steps long, so a few large triangles or one stray vertex do not make the grid
+/// coarser. An axis with other units, such as heights in meters above degrees, gets a step from its extent: `n`
+/// triangles have about `sqrt(n)` positions along it.
 fn grid_of(options: &BuildOptions, total: &PieceScan) -> Option<PagedGrid> {
     const STEPS_PER_EDGE: f64 = 256.0;
     const STEPS_PER_POSITION: f64 = 64.0;

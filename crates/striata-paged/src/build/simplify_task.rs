@@ -1,4 +1,4 @@
-//! The task of a level: simplifies cells, and sends what is left to the cells of the next level.
+//! The task of a level: simplifies cells, and sends the remaining triangles to the cells of the next level.
 
 use std::collections::BTreeMap;
 
@@ -85,7 +85,7 @@ fn pending_page(id: PageId, steps: CellSteps) -> PendingPage {
     }
 }
 
-/// The base page: all that is left.
+/// The base page: the triangles that remain after all levels.
 pub(super) fn base_page(plan: &PagedPlan, parts: &PartIndex) -> Result<PendingPage, PagedBuildError> {
     let id = PageId { level: plan.level_count(), cell: 0 };
     let like = plan.metadata.empty_mesh();

@@ -1,8 +1,7 @@
 //! Simulation of a plan: how long its tasks take on a number of workers, and how much they write.
 //!
-//! Every task of the plan is run in simulated time, on the first worker that is free, when all tasks of earlier
-//! stages are done. Costs follow from the number of triangles that a task reads; a share of all attempts may fail and
-//! is repeated.
+//! Each task of the plan runs in simulated time on the first free worker, after all tasks of earlier stages. Its cost
+//! follows from the number of triangles that it reads. A given share of the attempts fails and is repeated.
 
 use serde::{Deserialize, Serialize};
 use striata::mesh::Random;
@@ -99,7 +98,7 @@ impl PagedPlan {
         };
         for stage in self.stages() {
             let begin = result.seconds;
-            // When each worker is free; none may begin before all earlier tasks are done.
+            // The time at which each worker is free; no task begins before all earlier stages are done.
             let mut free = vec![begin; workers];
             let busy_before = result.core_seconds;
             for number in stage.tasks() {

@@ -40,8 +40,8 @@ struct Merging {
 }
 
 impl Merging {
-    /// Counts the vertices of a piece whose positions were different before rounding. Positions are only
-    /// compared if a triangle shrank to nothing, since that takes a while.
+    /// Counts the vertices of a piece that rounding merged. Positions are only compared if a triangle became
+    /// degenerate, because the comparison is slow.
     fn add(&mut self, before: &[[f32; 3]], mesh: &CellMesh) {
         let is_flat = |positions: &[[f32; 3]], t: &[u32; 3]| {
             let [a, b, c] = t.map(|v| positions[v as usize]);
@@ -57,7 +57,7 @@ impl Merging {
         self.merged += total.saturating_sub(distinct(&mesh.positions));
     }
 
-    /// Refuses to merge more than one in a thousand, unless that is wanted.
+    /// Refuses to merge more than one vertex in a thousand, unless the options allow it.
     fn check(&self, plan: &PagedPlan) -> Result<(), PagedBuildError> {
         let is_wanted = plan.options.allow_merging;
         let Some(grid) = plan.metadata.grid.filter(|_| !is_wanted && self.merged * 1000 > self.total) else {
@@ -107,8 +107,8 @@ fn rounded(piece: Piece, metadata: &Metadata, merging: &mut Merging) -> CellMesh
     mesh.select(&proper, &[]).0
 }
 
-/// Sends triangles to the cells of a level, those at its borders also on to the next level, and so on. What no
-/// level changes belongs to the base.
+/// Sends triangles to the cells of a level. Triangles at the borders of cells are also sent to the next level, and
+/// so on; triangles that no level changes belong to the base.
 pub(super) fn send(partition: &Partition, level: u8, mesh: CellMesh) -> BTreeMap<PageId, Cell> {
     let mut cells = BTreeMap::new();
     let mut mesh = mesh;
@@ -125,7 +125,7 @@ pub(super) fn send(partition: &Partition, level: u8, mesh: CellMesh) -> BTreeMap
     cells
 }
 
-/// Writes what each cell receives.
+/// Writes the triangles that each cell receives.
 pub(super) fn write_cells(
     writer: &mut PartWriter,
     cells: &BTreeMap<PageId, Cell>,

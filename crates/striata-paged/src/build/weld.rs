@@ -1,26 +1,26 @@
-//! Joins borders that nearly coincide: positions of borders that are closer than a distance become one.
+//! Welds borders that nearly coincide: positions on borders that are closer than a distance become one.
 //!
 //! ```text
 //!  file 1   ---a----b----c---        a and a', b and b', c and c' are closer than D:
 //!  file 2   ---a'---b'---c'--        each pair becomes the first of the two
 //! ```
 //!
-//! Every position joins the nearest one before it that stands for others, and begins a group of its own if none is
-//! closer than D. A position that is closer than D to two groups joins them, as long as what stands for them is
-//! not farther apart than 2 D. Groups stand at least D apart when they begin, so each place has few of them, and
-//! the work grows with the number of positions alone.
+//! Each group is represented by its first position. A position joins the group with the nearest representative, and
+//! begins a new group if none is closer than D. A position that is closer than D to two representatives merges their
+//! groups, unless the representatives are more than 2 D apart. New representatives are at least D apart, so there are
+//! only a few near any position, and the cost grows linearly with the number of positions.
 
 use std::collections::{BTreeSet, HashMap};
 
 use striata_io::pieces::Piece;
 
-/// Positions that become others, in increasing order of their bits.
+/// Map from positions to those that replace them, in increasing order of their bits.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct WeldMap {
     moved: Vec<([u32; 3], [f32; 3])>,
 }
 
-/// Bits of a position; both zeros are one.
+/// Bits of a position; positive and negative zero are the same.
 fn key(position: [f32; 3]) -> [u32; 3] {
     position.map(|x| (x + 0.0).to_bits())
 }
@@ -37,10 +37,10 @@ pub(super) fn border(piece: &Piece) -> Vec<[f32; 3]> {
     vertices.into_iter().map(|vertex| piece.positions[vertex as usize]).collect()
 }
 
-/// Groups of positions, found by their place.
+/// Groups of positions, found by location.
 struct Groups {
     distance: f64,
-    /// Position that stands for each group.
+    /// Representative of each group.
     centers: Vec<[f32; 3]>,
     /// Group that each group has joined, or itself.
     joined: Vec<u32>,
@@ -98,7 +98,7 @@ fn distance_squared(a: [f32; 3], b: [f32; 3]) -> f64 {
 }
 
 impl WeldMap {
-    /// Finds which of these positions become others.
+    /// Finds the positions that are replaced, and their replacements.
     pub(super) fn of(mut positions: Vec<[f32; 3]>, distance: f64) -> Self {
         positions.sort_unstable_by_key(|&position| key(position));
         positions.dedup_by_key(|position| key(*position));
@@ -120,7 +120,7 @@ impl WeldMap {
         Self { moved: moved.filter(|&(from, to)| from != key(to)).collect() }
     }
 
-    /// The position that stands for another one.
+    /// The position that replaces another one.
     pub(super) fn get(&self, position: [f32; 3]) -> [f32; 3] {
         let found = self.moved.binary_search_by_key(&key(position), |entry| entry.0);
         found.map_or(position, |at| self.moved[at].1)
@@ -131,7 +131,7 @@ impl WeldMap {
         words.flat_map(u32::to_le_bytes).collect()
     }
 
-    /// Reads a map; `None` if the bytes are none.
+    /// Reads a map; `None` if the bytes do not contain one.
     pub(super) fn from_bytes(bytes: &[u8]) -> Option<Self> {
         let (words, rest) = bytes.as_chunks::<4>();
         let words: Vec<u32> = words.iter().map(|word| u32::from_le_bytes(*word)).collect();

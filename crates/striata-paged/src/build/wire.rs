@@ -1,5 +1,5 @@
-//! Bytes of the parts that tasks pass to each other: plain arrays, written and read once on the same machine or
-//! by machines of one cluster, all little endian.
+//! Bytes of the parts that tasks pass to each other: plain little-endian arrays, which are written and read once,
+//! on one machine or within one cluster.
 
 use striata::mesh::AttributeLayer;
 use striata::simplify::cells::{Cell, CellMesh, History};
@@ -7,7 +7,7 @@ use striata::simplify::cells::{Cell, CellMesh, History};
 use super::PagedBuildError;
 use crate::{Import, Page, PageId};
 
-/// Low bits of keys and errors that are always zero.
+/// Number of low bits of keys and errors that are always zero.
 const KEY_BITS: u32 = 18;
 const ERROR_BITS: u32 = 17;
 
@@ -43,7 +43,7 @@ impl WireWriter {
     }
 
     fn layers_of(&mut self, layers: &[AttributeLayer], count: usize) {
-        // A part without rows may have no layers either.
+        // A part without rows may also lack the layers.
         for i in 0..count {
             self.array(layers.get(i).map_or(&[][..], |layer| layer.data.as_bytes()));
         }

@@ -16,7 +16,7 @@ pub(super) struct Gate {
     is_open: bool,
 }
 
-/// Open edges at a node, and the vertex that was last seen there.
+/// Open edges at a node, and the vertex that was last used there.
 #[derive(Clone, Copy)]
 struct BorderNode {
     /// Gate that began last at the node, or [`NONE`].
@@ -24,7 +24,7 @@ struct BorderNode {
     /// Other ends of the last two open edges that end here and that begin here.
     ending: [u32; 2],
     beginning: [u32; 2],
-    /// Vertex that was last seen here.
+    /// Vertex that was last used here.
     last_vertex: u32,
 }
 
@@ -34,7 +34,7 @@ const NEW_NODE: BorderNode =
 /// The open edges.
 #[derive(Default)]
 pub(super) struct Border {
-    /// All gates that there have been, in the order in which they are passed.
+    /// All gates so far, in the order in which they are passed.
     gates: Vec<Gate>,
     /// The gates before this one have been passed.
     passed: usize,
@@ -42,7 +42,7 @@ pub(super) struct Border {
 }
 
 impl Border {
-    /// Nothing is open; the arguments are the number of nodes and about the number of triangles.
+    /// Creates an empty border for a number of nodes and an estimated number of triangles.
     pub(super) fn new(node_count: usize, triangle_count: usize) -> Self {
         let gates = Vec::with_capacity(triangle_count + triangle_count / 2);
         Self { gates, passed: 0, nodes: vec![NEW_NODE; node_count] }
@@ -116,7 +116,7 @@ impl Border {
         candidates
     }
 
-    /// Vertex that was last seen at a node.
+    /// Vertex that was last used at a node.
     pub(super) fn last_vertex(&self, node: u32) -> u32 {
         self.nodes[node as usize].last_vertex
     }

@@ -6,10 +6,10 @@
 use crate::bytes::{put_varint, take_varint};
 use crate::{Metadata, Page};
 
-/// Coordinates are smaller than this, as multiples of the step of the grid or as ordered bits.
+/// Upper bound of coordinates, as multiples of the grid step or as ordered bits.
 const LARGEST: i64 = 1 << 50;
 
-/// For each axis, the first coordinate and the distance of neighboring ones, in units of the grid.
+/// For each axis, the first coordinate and the distance between neighboring ones, in units of the grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Lattice {
     base: [i64; 3],
@@ -39,7 +39,7 @@ impl Lattice {
         }
     }
 
-    /// Reads a lattice; `None` if the bytes end or describe none.
+    /// Reads a lattice; `None` if the bytes end early or do not describe one.
     pub(super) fn take(bytes: &mut &[u8]) -> Option<Self> {
         let mut lattice = Self { base: [0; 3], step: [1; 3] };
         for axis in 0..3 {

@@ -1,17 +1,17 @@
 //! Bytes of a page.
 //!
-//! A page is decoded without any other page. Its triangles are coded by growing a region over edges [GS98], a cut
-//! border: each triangle is attached to an open edge, and its third corner is new, or known from a neighboring
-//! open edge. New corners bring the position, attributes, key and error of an owned vertex, or name an import.
-//! Targets follow when all triangles are known: collapsing positions in the order of their keys, the target is
-//! one of the current neighbors.
+//! A page is decoded without any other page. Its triangles are coded by growing a region across edges, as in the
+//! cut-border machine [GS98]: each triangle is attached to an open edge, and its third corner is either new or known
+//! from a neighboring open edge. A new corner is followed by the position, attributes, key and error of an owned
+//! vertex, or by the name of an import. Targets are coded last: positions are collapsed in the order of their keys,
+//! and each target is one of the current neighbors.
 //!
 //! | file | what it does |
 //! | --- | --- |
 //! | `order.rs` | the order in which triangles and vertices are numbered: [`Page::normalize`] |
 //! | `lattice.rs` | the lattice that all positions of the page lie on |
 //! | `border.rs` | open edges of the region that has been coded |
-//! | `triangles.rs` | the walk over all triangles, for both directions |
+//! | `triangles.rs` | the traversal of all triangles, for both directions |
 //! | `wedges.rs` | vertices of each position |
 //! | `vertices.rs` | positions, attributes, keys, errors and imports of new corners |
 //! | `targets.rs` | targets of owned vertices |
@@ -32,9 +32,9 @@ use crate::{Import, Metadata, Page, PageId};
 use lattice::Lattice;
 use triangles::{CodedShape, TriangleCoder};
 
-/// More vertices or triangles than this cannot be in a page.
+/// Maximum number of vertices or triangles of a page.
 const MAX_COUNT: u64 = 1 << 24;
-/// Nor more than this per byte, even if all are alike.
+/// Maximum number of vertices or triangles per byte, even if all are alike.
 const MAX_PER_BYTE: u64 = 4096;
 
 impl Page {
@@ -198,5 +198,5 @@ impl CodedShape {
     }
 }
 
-/// An import that nothing has named yet.
+/// Placeholder of an import that has not been named yet.
 const UNKNOWN: Import = Import { page: 0, vertex: 0 };

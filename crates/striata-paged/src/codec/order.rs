@@ -58,7 +58,7 @@ impl Page {
             wedges[p].push(v);
         };
         triangles.as_flattened().iter().for_each(|&v| meet(v));
-        // What no triangle uses follows.
+        // Vertices that no triangle uses come last.
         (0..owned).for_each(&mut meet);
         self.targets.iter().for_each(|&v| meet(v));
         (owned..node_of.len() as u32).for_each(meet);

@@ -7,7 +7,7 @@ use crate::Page;
 
 /// Symbol of targets that are not among the first neighbors.
 const OTHER: usize = 15;
-/// More neighbors than this are not looked at.
+/// Maximum number of neighbors that are considered.
 const MAX_NEIGHBORS: usize = 62;
 /// Negative binary logarithm of the rate at which ranks are learned.
 const LAST_SHIFT: u32 = 7;
@@ -17,7 +17,7 @@ impl TriangleCoder<'_> {
     pub(super) fn targets<C: Coder>(&mut self, coder: &mut C, page: Option<&Page>) {
         let corners = CornersOfVertices::new(&self.shape);
         let mut order: Vec<u32> = (0..self.shape.positions.len() as u32).collect();
-        // Keys are not negative, so their bits are in their order.
+        // Keys are not negative, so their bits have the same order.
         order.sort_unstable_by_key(|&p| (self.shape.keys[p as usize].to_bits(), p));
         let mut targets: Vec<u32> = (0..self.shape.vertices.len() as u32).collect();
         let mut links = targets.clone();
@@ -154,7 +154,7 @@ impl VertexNeighbors {
             } else {
                 [a, b]
             } {
-                // Few neighbors: a search is quicker than a set.
+                // There are few neighbors, so a linear search is faster than a set.
                 if self.original.contains(&w) || self.original.len() >= MAX_NEIGHBORS {
                     continue;
                 }

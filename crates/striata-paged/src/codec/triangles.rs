@@ -1,5 +1,5 @@
-//! The walk over all triangles. One function serves both directions: a writer follows the page, a reader ignores
-//! the values that it passes.
+//! The traversal of all triangles. One function encodes and decodes: a writer follows the page, and a reader ignores
+//! the values that it passes in.
 
 use striata::mesh::AttributeLayer;
 use striata::simplify::cells::CellMesh;
@@ -43,7 +43,7 @@ impl CodedShape {
     pub(super) const IMPORTS: u32 = 1 << 25;
 }
 
-/// A corner at a node that is known.
+/// A corner at a known node.
 #[derive(Clone, Copy)]
 struct KnownCorner {
     node: u32,
@@ -51,7 +51,7 @@ struct KnownCorner {
     actual: u32,
 }
 
-/// Codes the triangles of a page and everything that hangs on them.
+/// Codes the triangles of a page, with their vertices, groups and data.
 pub(super) struct TriangleCoder<'a> {
     pub counts: &'a PageCounts,
     pub metadata: &'a Metadata,
@@ -68,7 +68,7 @@ pub(super) struct TriangleCoder<'a> {
     same_group: AdaptiveBit,
     group: QuickNumber,
     lone: QuickNumber,
-    /// In a writer: the number that each vertex of the page has here; `u32::MAX` for those not met.
+    /// In a writer, the number that each vertex of the page has in this coder; `u32::MAX` before it is met.
     pub met: Vec<u32>,
 }
 
@@ -156,7 +156,7 @@ impl<'a> TriangleCoder<'a> {
             .map(|met| self.node_of(met))
     }
 
-    /// Codes what is beyond an open edge: nothing, or a triangle.
+    /// Codes the triangle beyond an open edge, or that there is none.
     fn beyond<C: Coder>(&mut self, coder: &mut C, page: Option<&Page>, gate: Gate) {
         let candidates = self.border.candidates(&gate);
         let [a, b] = gate.nodes;
@@ -265,7 +265,7 @@ impl<'a> TriangleCoder<'a> {
         self.known_nodes() as usize == self.counts.positions + self.counts.imports
     }
 
-    /// Codes the kind of what is beyond a gate: a tree of decisions, without those that are impossible.
+    /// Codes the kind of triangle beyond a gate, as a tree of decisions that skips impossible ones.
     fn kind<C: Coder>(&mut self, coder: &mut C, candidates: &[u32; 4], actual: usize) -> usize {
         let available = candidates.iter().take(2).filter(|&&c| c != u32::MAX).count();
         let bits = &mut self.kinds[self.history * 4 + available];

@@ -8,12 +8,12 @@ use super::triangles::{CodedShape, TriangleCoder};
 use crate::metadata::index_of;
 use crate::{Import, Metadata, Page, PagedLayer};
 
-/// Low bits of keys and errors that are always zero.
+/// Number of low bits of keys and errors that are always zero.
 const KEY_BITS: u32 = 18;
 const ERROR_BITS: u32 = 17;
 const UNMET: u32 = u32::MAX;
 
-/// Models of what vertices bring.
+/// Adaptive models for the data of vertices.
 pub(super) struct VertexModels {
     /// One context per axis and quality of the prediction.
     positions: QuickNumber,
@@ -225,7 +225,7 @@ fn largest_class(bits: u32) -> i32 {
     (f32::MAX.to_bits() >> bits) as i32
 }
 
-/// Codes a value of `data` as the difference from what is expected, both as integers, and returns it.
+/// Codes a value of `data` as its difference from the predicted one, both as integers, and returns it.
 fn coded_place<C: Coder>(
     coder: &mut C,
     model: &mut QuickNumber,

@@ -1,8 +1,8 @@
 //! Levels whose detail varies over the mesh, made of pages in one pass over their steps.
 //!
-//! Steps are undone from fine to coarse, page by page: those of a page depend only on coarser pages and on each
-//! other. A step that is wanted is kept, and with it everything around it: a split needs its whole ring. What is
-//! kept is therefore closed under dependencies, so the result has no cracks.
+//! Steps are undone from fine to coarse, page by page, because the steps of a page depend only on each other and on
+//! coarser pages. A wanted step is kept, and so is every vertex around it, because a split needs its whole one-ring.
+//! The kept steps are therefore closed under dependencies, and the result has no cracks.
 //!
 //! ```text
 //!  finest pages          coarser pages              base page
@@ -72,7 +72,7 @@ struct Contribution {
 }
 
 impl<'a> CutPages<'a> {
-    /// Takes pages, each with its index in the directory, and with all of its parents.
+    /// Creates a cut from pages with their indices in the directory; all parents of a page must be included.
     ///
     /// # Errors
     /// [`PagedError::Mismatch`] if a parent of a page is absent or the pages do not fit together.
@@ -80,7 +80,7 @@ impl<'a> CutPages<'a> {
         Ok(Self { loaded: LoadedPages::new(pages)?, metadata })
     }
 
-    /// Makes the coarsest level that refines every step for which `is_wanted` says so, and what these need.
+    /// Makes the coarsest level that refines every step for which `is_wanted` is true, and the steps that these need.
     ///
     /// A part has the position of the step, the length of the longest edge there as its radius, and the error of
     /// the surface without it.
@@ -128,7 +128,7 @@ impl<'a> CutPages<'a> {
         contribution
     }
 
-    /// Tells the owners of imports which of these must stay.
+    /// Marks the imports that must be kept, in the pages that own them.
     fn pass_needs_on(&self, slot: u32, surface: &PageSurface<'_>, is_kept: &[bool], messages: &Messages) {
         let owned = self.loaded.page(slot).positions.len() as u32;
         for (import, place) in (owned..).zip(self.loaded.imports_of(slot)) {
@@ -139,7 +139,7 @@ impl<'a> CutPages<'a> {
         }
     }
 
-    /// Tells the owners of the triangles that this page replaces which ones are no longer there.
+    /// Reports the triangles that this page replaces to the pages that own them.
     fn pass_replaced_on(&self, slot: u32, surface: &PageSurface<'_>, messages: &Messages) {
         let page = self.loaded.page(slot);
         if page.targets.is_empty() {

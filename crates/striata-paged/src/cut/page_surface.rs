@@ -68,7 +68,7 @@ impl<'a> PageSurface<'a> {
     pub(super) fn order(&self) -> Vec<u32> {
         let keys = &self.page.keys;
         let mut order: Vec<u32> = (0..keys.len() as u32).collect();
-        // Keys are not negative, so their bits are in their order.
+        // Keys are not negative, so their bits have the same order.
         order.sort_unstable_by_key(|&p| (keys[p as usize].to_bits(), Reverse(p)));
         order
     }
@@ -116,7 +116,7 @@ impl<'a> PageSurface<'a> {
         Part { sphere: Sphere { center, radius }, cone: NormalCone::ALL, error }
     }
 
-    /// Calls a function with everything that the step of the gathered position needs: its ring, and its targets.
+    /// Calls a function with each vertex that the step of the gathered position needs: its one-ring and its targets.
     pub(super) fn for_each_needed(&self, position: u32, mut visit: impl FnMut(u32)) {
         for v in self.page.first[position as usize]..self.page.first[position as usize + 1] {
             visit(self.page.targets[v as usize]);

@@ -29,7 +29,7 @@ class PointSet:
     original: AnyArray
     #: (n, 3), float32, contiguous, relative to `offset`.
     values: NDArray[np.float32]
-    #: What was subtracted before rounding to single precision.
+    #: Origin that was subtracted before rounding to single precision.
     offset: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def placed(self, data: _striata.MeshData) -> _striata.MeshData:

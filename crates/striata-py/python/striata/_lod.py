@@ -223,7 +223,7 @@ class Lod(Generic[AnyMesh]):
 
     @property
     def _offset(self) -> tuple[float, float, float]:
-        """What is added to the origin of the extension."""
+        """Offset that is added to the origin of the extension."""
         return (0.0, 0.0, 0.0) if self._input is None else self._input.points.offset
 
     @property

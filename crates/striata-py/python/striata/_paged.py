@@ -73,7 +73,7 @@ class PagedLod:
 
     @cached_property
     def metadata(self) -> dict[str, Any]:
-        """What the file says about the mesh: source, layers, groups, grid, georeference, options."""
+        """Metadata of the mesh: source, layers, groups, grid, georeference, options."""
         found: dict[str, Any] = json.loads(self._data.metadata())
         return found
 
@@ -104,7 +104,7 @@ class PagedLod:
         return Mesh._of(self._data.level(targets.request(self.face_count, self.diagonal).target))
 
     def lod(self, *, triangles: int) -> Lod[Any]:
-        """Return all levels of up to so many faces, in memory."""
+        """Return all levels of up to `triangles` faces, in memory."""
         return Lod._of(self._data.lod(count(triangles, "triangles")))
 
     def view(

@@ -18,7 +18,7 @@ Path = str | os.PathLike[str]
 
 @dataclass(frozen=True)
 class Simulation:
-    """What a simulated build takes."""
+    """Time and size of a simulated build."""
 
     #: Seconds from the first task to the last.
     seconds: float

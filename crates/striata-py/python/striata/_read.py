@@ -7,7 +7,7 @@ import os
 from . import _striata
 from ._warn import ReadWarning, warn
 
-#: What a file contains.
+#: Contents of a file.
 Data = _striata.MeshData | _striata.SceneData | _striata.LodData | _striata.LodSceneData
 
 

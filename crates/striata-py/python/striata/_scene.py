@@ -73,13 +73,13 @@ class Scene:
 
     @property
     def instances(self) -> list[Instance]:
-        """What the scene shows."""
+        """Contents of the scene."""
         shown = self._data.instances()
         return [Instance(node, mesh, np.array(matrix).reshape(4, 4).T) for node, mesh, matrix in shown]
 
     @property
     def warnings(self) -> list[str]:
-        """What was missing when the scene was read."""
+        """Files that were missing when the scene was read."""
         return self._data.warnings()
 
     @property

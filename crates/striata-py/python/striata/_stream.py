@@ -149,7 +149,7 @@ class StreamDecoder:
         Raises
         ------
         DecodeError
-            If the bytes are damaged. What was decoded before remains available.
+            If the bytes are damaged. Data that was decoded before remains available.
         """
         self._data.push(bytes(data))
 

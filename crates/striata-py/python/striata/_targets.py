@@ -13,7 +13,7 @@ Target = tuple[str, float]
 
 @dataclass(frozen=True)
 class Request:
-    """What a level must satisfy, as the extension takes it."""
+    """Conditions of a level, in the form of the extension."""
 
     target: Target
     #: Limit of the error in mesh units, whatever the target.

@@ -103,7 +103,7 @@ impl ToleranceSearch<'_> {
                 return Some(high);
             }
         }
-        // What a view shows can depend a little on what it showed before.
+        // The triangles of a view can depend a little on those that it showed before.
         while self.count_at(high) > self.limit {
             high += FIRST_STEP;
             if high > MAX_LOG {

@@ -4,8 +4,8 @@
 //! so a chunk may gain nothing by itself; runs of chunks are therefore weighed together (the lower convex
 //! hull of error over bytes), and a mesh's runs improve less per byte from one to the next.
 //!
-//! **Images.** An image cannot be shown in part, so it is one item. What it adds is expressed as a geometric
-//! error: that which would change the picture as much. In a picture of the scene, an error `e` changes a
+//! **Images.** An image cannot be shown in part, so it is one item. Its benefit is expressed as the geometric
+//! error that would change the picture as much. In a picture of the scene, an error `e` changes a
 //! strip of that width along outlines, which are about four diagonals long, by a contrast of a quarter: `e D`
 //! in all. A preview changes the area on which the image is seen (a quarter of the area of the surface, by
 //! Cauchy's formula) by the contrast it has lost, which was measured: `A c / 4`. So the image stands for an

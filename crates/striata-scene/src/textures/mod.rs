@@ -2,7 +2,8 @@
 //!
 //! Images are bytes that striata carries along. This module reads their headers ([`image_info`]), makes
 //! small previews and average colors for streams ([`preview`]), resizes or re-encodes them
-//! ([`recode_scene`]), and decodes them for drawing ([`RgbaImage`]). What a pixel means depends on the materials that use the image: see [`TextureRole`].
+//! ([`recode_scene`]), and decodes them for drawing ([`RgbaImage`]). The meaning of a pixel depends on the materials
+//! that use the image: see [`TextureRole`].
 //!
 //! PNG, JPEG and WebP can be decoded. WebP is written without loss only, because the encoder in Rust has no
 //! other mode. KTX2 and DDS, whose blocks are compressed for GPUs, are carried unchanged.

@@ -145,7 +145,7 @@ impl Axis {
 
 /// Returns the largest power of two up to a positive number.
 fn power_of_two(number: f64) -> f64 {
-    // What is left without the mantissa.
+    // Clears the mantissa.
     f64::from_bits(number.to_bits() & 0x7FF0_0000_0000_0000)
 }
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use striata::mesh::Face;
 
-/// The triangles of a level. Those that were replaced keep their numbers, which are never used again.
+/// The triangles of a level. Replaced triangles keep their numbers, which are never used again.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct LevelFaces {
     all: Vec<Face>,

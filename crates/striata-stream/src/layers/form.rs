@@ -272,7 +272,7 @@ fn transform_of(semantic: &Semantic, n: usize, numbers: &[f32], options: &LayerO
         let (axes, bits): (Vec<_>, Vec<_>) = one_by_one.map(|(axes, bits)| (axes[0], bits)).unzip();
         return ValueTransform::Uniform { axes, bits: bits.into_iter().max().unwrap_or(1) };
     }
-    // What a morph target does not move must stay in place.
+    // Vertices that a morph target does not move must stay in place.
     let through_zero = is_displacement(semantic).then(|| Axis::through_zero(&ranges, bits)).flatten();
     let (axes, bits) = through_zero.unwrap_or_else(|| Axis::over(&ranges, 0.0, bits));
     ValueTransform::Uniform { axes, bits }

@@ -1,4 +1,6 @@
 //! Encodes the batches of a sequence as compressed chunks.
+//!
+//! A chunk has one error, that of the level before it. The first chunks are small, so that a picture appears early.
 
 use striata::mesh::RefinableMesh;
 use striata::{Progress, ProgressFn};

@@ -339,7 +339,7 @@ impl LiveStripBuffer {
             region.used += slot.capacity;
         }
         region.live = live;
-        // What is no longer drawn must contain restarts only, because strips may be appended there.
+        // Indices that are no longer drawn must be restarts, because strips may be appended there.
         let end = region.first + region.used;
         self.indices[end as usize..end_before as usize].fill(RESTART);
         self.changed.push(region.first..end_before);

@@ -27,7 +27,7 @@ pub(super) struct Client {
     address: IpAddr,
     since: Instant,
     has_request: AtomicBool,
-    /// Told when the connection must close.
+    /// Notified when the connection must close.
     pub end: Notify,
 }
 

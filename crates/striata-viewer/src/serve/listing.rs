@@ -65,7 +65,7 @@ struct Document<'a> {
     total: usize,
     /// Whether the list was truncated.
     is_cut: bool,
-    /// Whether the server stops when its page is closed, which the page then tells it.
+    /// Whether the server stops when its page is closed; the page reports that.
     ends_with_page: bool,
 }
 

@@ -32,7 +32,7 @@ pub(super) struct Session {
     open: AtomicUsize,
     /// Number of pages so far.
     total: AtomicUsize,
-    /// Told when no page has been open for a while.
+    /// Notified when no page has been open for a while.
     pub ended: Notify,
 }
 

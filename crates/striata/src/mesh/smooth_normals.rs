@@ -223,7 +223,7 @@ mod tests {
     fn backs_of_solids_cannot_be_seen() {
         let is_solid = |mesh: &IndexedMesh| PositionEdges::of(mesh).unwrap().is_solid();
         let mut ball = shapes::icosphere(2, 1.0);
-        // Where the mesh is does not matter.
+        // The position of the mesh does not matter.
         ball.positions.iter_mut().for_each(|p| p[0] += 100.0);
         let mut open = ball.clone();
         open.triangles.pop();

@@ -174,7 +174,7 @@ impl<'a> SimulatedCache<'a> {
         }
         let size = CACHE_SIZE as i32;
         let age = self.age(vertex) as i32 + miss_count;
-        // What is lost before its triangles are drawn is not worth a hurry.
+        // A vertex that leaves the cache before its triangles are drawn has no priority.
         let place = if age < size { size - age } else { size };
         size * (MISS * miss_count - count as i32) + place
     }

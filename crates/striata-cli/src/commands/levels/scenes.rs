@@ -175,7 +175,7 @@ pub(in crate::commands) fn chain_format(path: &Path, args: &FormatArgs) -> Resul
 }
 
 impl SceneLevelsSource<'_> {
-    /// Fits the meshes of a level, and says which meshes stay although the user wishes it.
+    /// Fits the meshes of a level, and reports the meshes that stay although the user asked for fitting.
     fn fitted(&mut self, level: &SceneLevel, max_error: f64) -> Result<Option<FittedMeshes>, BuildError> {
         let Some(placement) = &self.placement else { return Ok(None) };
         let mut bar = self.output.bar();

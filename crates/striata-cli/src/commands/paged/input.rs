@@ -141,14 +141,14 @@ pub(super) fn build_options(args: &CellArgs, output: &Output) -> Result<BuildOpt
 
 /// The work folder of an output.
 pub(super) fn work_folder(output: &Path, given: Option<&Path>) -> PathBuf {
-    let beside = || {
-        // What is built at an address is prepared here.
+    let default = || {
+        // The work folder of an address is in the current folder.
         let here = is_address(output).then(|| output.file_name()).flatten();
         let mut name = here.unwrap_or(output.as_os_str()).to_owned();
         name.push(".work");
         PathBuf::from(name)
     };
-    given.map_or_else(beside, Path::to_owned)
+    given.map_or_else(default, Path::to_owned)
 }
 
 #[cfg(test)]

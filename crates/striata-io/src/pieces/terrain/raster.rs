@@ -29,7 +29,7 @@ pub(super) trait Raster: Send + Sync {
     fn is_raw(&self) -> bool {
         true
     }
-    /// Reads a block of samples, row by row from the north; NaN where there is no height.
+    /// Reads a block of samples, row by row from the north; NaN for samples without a height.
     fn read(&self, at: [u64; 2], count: [u64; 2]) -> Result<Vec<f32>, ReadError>;
 }
 

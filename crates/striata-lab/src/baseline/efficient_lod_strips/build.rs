@@ -108,7 +108,7 @@ impl CollapsingStrips {
             let mut from = collapses[0].saturating_sub(3) as usize;
             while let Some(position) = winding.remove(indices, from) {
                 resizes.push(position as u32);
-                // What is joined here may repeat what precedes it.
+                // The joined indices may repeat those before them.
                 from = position.saturating_sub(5).min(from);
             }
             changes.push(StripChange { strip, collapses, resizes });

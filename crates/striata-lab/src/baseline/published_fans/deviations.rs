@@ -67,7 +67,7 @@ impl Deviation {
             let length = vectors.iter().map(|vector| vector.length()).fold(0.0, f64::max);
             return Self { surface: up(length), dist: 0.0 };
         }
-        // Where both bounds are equal, they have to cover the sum of both parts.
+        // At a point at which both bounds are equal, they have to cover the sum of both parts.
         let ratio = across / along.max(across * 1e-6);
         let surface = parts().map(|(across, along)| along + across / ratio).fold(0.0, f64::max);
         Self { surface: up(surface), dist: up(surface * ratio) }

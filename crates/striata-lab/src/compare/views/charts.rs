@@ -109,7 +109,7 @@ fn activity_section(report: &ViewsReport) -> Result<PageSection, Failure> {
     let by_changes = log_log("steps evaluated and changed", "criterion and update, ms", by_changes.collect());
     let by_active = log_log("triangles shown", "criterion and update, ms", by_active.collect());
     Ok(PageSection {
-        title: "What a frame depends on".to_owned(),
+        title: "Frame time and its causes".to_owned(),
         intro: "Frames grouped by how much work they have, with the mean of each group. On the left, \
                 fans on all paths, by the steps that they evaluate and change; on the right, all models \
                 on the orbits, by the triangles shown."

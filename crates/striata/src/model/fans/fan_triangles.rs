@@ -22,7 +22,7 @@ use crate::model::step_bits::StepBits;
 /// Number of steps or base vertices of a block, if there is one group.
 const BLOCK: u32 = 8;
 
-/// If more than one of so many blocks changes, all are written again.
+/// If more than one in this many blocks changes, all blocks are written again.
 const MIN_BLOCKS_PER_CHANGE: usize = 2;
 
 /// Scratch memory is kept only if it takes at most the size of the indices divided by this.

@@ -316,8 +316,7 @@ impl<C> FanFront<C> {
 
     /// Collapses steps that are neither wanted nor needed, and then those that only they needed.
     pub(super) fn collapse_unneeded(&mut self, fans: &Fans, change_limit: usize, update: &mut FanUpdate) {
-        // What a step needs is coarser than the step, so a single pass from fine to coarse reaches all of
-        // them.
+        // A step needs only coarser steps, so a single pass from fine to coarse reaches all of them.
         let mut end = self.instance.step_count as u32;
         while let Some(step) = self.unneeded.last_before(end) {
             if update.changes() >= change_limit {

@@ -140,7 +140,7 @@ impl FanInstance {
 
     /// Splits all steps that refined ones need. Returns the number of refined steps.
     fn split_needed(&mut self, fans: &Fans) -> usize {
-        // What a step needs is coarser, so a single pass from fine to coarse reaches all of them.
+        // A step needs only coarser steps, so a single pass from fine to coarse reaches all of them.
         let mut count = 0;
         let mut end = self.step_count as u32;
         while let Some(step) = self.collapsed.last_absent_before(end) {

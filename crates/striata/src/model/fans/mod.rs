@@ -28,6 +28,9 @@
 //! **From frame to frame.** [`FanFront`] follows a view. It evaluates only those steps whose verdict may have
 //! changed since it was made, which it knows from the motion of the camera; see `front.rs`.
 //!
+//! The parents of a step are derived from the entries, so they take no bytes, but the bounds of a step are wider than
+//! those of VDPM: a view has 13 to 45 % more triangles.
+//!
 //! Cost: the table contains every triangle of every level, about three times as many as the full mesh has.
 //! Extraction is linear in the number of active vertices; a change is linear in the size of the entries
 //! that it touches.

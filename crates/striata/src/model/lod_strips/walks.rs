@@ -265,7 +265,7 @@ impl WalkWriter {
 /// Reads walks of a level from padded bytes: this many strips of each group. Also returns the number of bytes.
 ///
 /// # Errors
-/// What is wrong with the walks, if they do not show each triangle of the level once.
+/// Defect of the walks, if they do not show each triangle of the level once.
 pub(super) fn read(
     mut ground: Ground,
     strip_counts: &[u32],

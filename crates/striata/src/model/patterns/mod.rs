@@ -158,8 +158,8 @@ impl Patterns {
         self.records.ups(&head).for_each(|up| visit(up.above));
     }
 
-    /// Calls `visit` with fragments on which a fragment depends. Those that the visited ones need
-    /// themselves may be omitted.
+    /// Calls `visit` with fragments on which a fragment depends. Dependencies of the visited
+    /// fragments may be omitted.
     ///
     /// # Panics
     /// If the fragment does not exist.

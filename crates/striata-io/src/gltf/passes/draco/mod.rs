@@ -4,8 +4,8 @@
 //! strips and fans become single triangles. Positions, normals, tangents, texture coordinates and colors
 //! that are floats are quantized; joints, weights and attributes without a standard name are kept exactly.
 //! Positions lie on the grid that `quantize` would use, so that parts of a mesh, and meshes that touch, still meet.
-//! What was encoded is decoded again, because Draco merges and reorders vertices: accessors declare what a
-//! decoder returns.
+//! Encoded primitives are decoded again, because Draco merges and reorders vertices, and accessors must declare what
+//! a decoder returns.
 //!
 //! Primitives stay uncompressed if they have morph targets, which Draco cannot store, extensions that may
 //! count vertices, or damaged data, or if compression does not make them smaller.

@@ -1,6 +1,6 @@
 //! How the scene converts grid steps back to lengths.
 //!
-//! What a node shows decides where the conversion goes:
+//! The place of the conversion depends on the node:
 //!
 //! - A skinned mesh: into the inverse bind matrices, because the node's transform is ignored (`skins`).
 //! - Instances (`EXT_mesh_gpu_instancing`): into the transforms of the instances, because they apply after

@@ -9,7 +9,7 @@ use super::super::{FanInstance, Fans, FansLevel};
 #[cfg(feature = "parallel")]
 const PIECE: usize = 4096;
 
-/// Tells which steps are collapsed; small, so that it stays in registers.
+/// The set of collapsed steps; small, so that it stays in registers.
 pub(in super::super) trait Collapsed: Copy {
     /// Whether a step is collapsed.
     fn has(self, step: u32) -> bool;
