@@ -16,7 +16,7 @@ use super::models::{Kind, Models, size};
 use super::surface::{InspectedLevel, Surface};
 use crate::Failure;
 
-/// What an instance is to show.
+/// The level or view that an instance is to show.
 #[derive(Clone, Debug)]
 pub(super) enum Request {
     /// A uniform level.

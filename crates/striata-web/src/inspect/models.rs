@@ -10,7 +10,7 @@ use striata_strip::{LiveStrips, RepairOptions};
 
 use crate::Failure;
 
-/// What can be looked at.
+/// A way of drawing that can be looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     List,
