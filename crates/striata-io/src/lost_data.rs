@@ -3,6 +3,7 @@
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 
 use crate::Format;
+use crate::Warning;
 use crate::error::Place;
 use crate::report::Warnings;
 
@@ -22,6 +23,14 @@ pub(crate) fn warn(format: Format, mesh: &IndexedMesh, warnings: &mut Warnings) 
     if !mesh.appearance.georeference.is_empty() && !keeps_georeference(format) {
         warnings.push(Place::File, format!("the georeference {}", left_out(format)));
     }
+}
+
+/// Returns a remark on each property of a mesh that a file of this format would not hold as it is; `file` is its
+/// name for messages. Writers of meshes say so themselves.
+pub fn losses(format: Format, mesh: &IndexedMesh, file: &str) -> Vec<Warning> {
+    let mut warnings = Warnings::of_file(file);
+    warn(format, mesh, &mut warnings);
+    warnings.into_list()
 }
 
 /// Name for messages: that of the file for layers without a meaning of their own.
