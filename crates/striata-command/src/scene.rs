@@ -5,7 +5,7 @@ use striata::file::SCENE_STREAM_MAGIC;
 use striata::mesh::{Appearance, IndexedMesh, Material};
 use striata::simplify::Target;
 use striata::{Lod, LodOptions, ProgressFn};
-use striata_io::{Format, Scene, losses, mesh_data, read_scene_bytes};
+use striata_io::{Format, Scene, losses, lost_group_names, mesh_data, read_scene_bytes};
 use striata_scene::file::{SceneFile, is_scene_file};
 use striata_scene::glb_stream::STREAM_EXTENSION;
 use striata_scene::stream::{SceneStreamDecoder, SceneStreamInfo};
@@ -383,5 +383,6 @@ fn say_textures(report: &TextureReport, output: &Output) {
 pub fn flat_scene(input: &Input, file: &str, output: &Output) -> Result<Scene, Failure> {
     let mesh = input.mesh(output)?;
     output.warn_of_losses(&losses(Format::Glb, &mesh, file));
+    output.warn_of_losses(&lost_group_names(&mesh, file));
     Scene::from_mesh(mesh).map_err(|error| Failure::user(format!("{}: {error}", input.name)))
 }

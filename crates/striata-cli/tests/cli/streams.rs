@@ -493,6 +493,14 @@ fn data_of_textured_meshes_are_kept_or_named() {
     for name in ["scan.glb", "ordered.glb", "plain.glb"] {
         assert_eq!(bench.json(&format!("info {name}"))["georeference"]["epsg"], 32632, "{name}");
     }
+    bench.write("named.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\ng left\nf 1 2 3\ng right\nf 2 4 3\n");
+    for line in ["encode named.obj -o named.glb", "build named.obj -o named.glb"] {
+        let warnings = stderr(line);
+        assert!(
+            warnings.contains("the names of 2 groups, such as `left`, are left out"),
+            "{line}: {warnings}"
+        );
+    }
     // Without such data it is a scene, which sends previews of its textures first.
     bench.run("convert plain.glb less.obj").success();
     assert!(bench.json("encode less.obj -o less.stri")["image_count"] == 1);
