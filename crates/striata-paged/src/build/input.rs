@@ -44,14 +44,14 @@ pub(super) struct InputState {
 
 impl InputState {
     fn of(path: &Path) -> Result<Self, PagedBuildError> {
-        let Stamp { bytes, modified, changed } = Stamp::of(path)?;
+        let FileTimes { bytes, modified, changed } = FileTimes::of(path)?;
         Ok(Self { path: path.to_owned(), bytes, modified, changed, checksum: checksum_of(path)? })
     }
 
     /// Compares the file with what it was. Its content is only read if a time differs, as those of a copy on
     /// another machine do. Copies that keep the time of their content differ in the other one.
     fn check(&self) -> Result<(), PagedBuildError> {
-        let found = Stamp::of(&self.path)?;
+        let found = FileTimes::of(&self.path)?;
         let is_untouched =
             found.modified.is_some() && found.modified == self.modified && found.changed == self.changed;
         let is_same =
@@ -61,13 +61,13 @@ impl InputState {
 }
 
 /// What the system knows about a file.
-struct Stamp {
+struct FileTimes {
     bytes: u64,
     modified: Option<u64>,
     changed: Option<i64>,
 }
 
-impl Stamp {
+impl FileTimes {
     fn of(path: &Path) -> Result<Self, PagedBuildError> {
         let metadata = std::fs::metadata(path).map_err(|source| PagedBuildError::io(path, source))?;
         let modified = metadata.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
