@@ -224,7 +224,7 @@ fn many_faults_in_obj() -> Vec<Case> {
                     "4 values that are no numbers, the first is line 10: expected a number, found the end of the line",
                     "1 texture coordinate of a corner left out, line 25: expected a whole number, found `x/1`",
                     "2 normals computed anew, the first is vertex 1: the layer normal has a value that is not finite",
-                    "2 texture coordinates set to 0, the first is vertex 1: the layer texcoord 0 has a value that is not finite",
+                    "2 texture coordinates set to 0, the first is vertex 1: the layer texcoord_0 has a value that is not finite",
                 ],
             ),
         ),

@@ -147,12 +147,13 @@ fn skip_line(word: &[u8], cursor: &mut Cursor<'_>, warnings: &mut Warnings) {
     cursor.rest_of_line();
 }
 
-/// Reads the coordinates of a corner; without three numbers it is not finite, so that its triangles are left out.
+/// Reads the coordinates of a corner; one that is no number is not finite, so that its triangles are left out.
 fn coordinates(cursor: &mut Cursor<'_>, warnings: &mut Warnings) -> [f64; 3] {
-    let mut read = || Ok([cursor.long_coordinate()?, cursor.long_coordinate()?, cursor.long_coordinate()?]);
-    read().unwrap_or_else(|fault: Fault| {
-        warnings.count_fault(WarningKind::WORDS, fault);
-        [f64::NAN; 3]
+    [(); 3].map(|()| {
+        cursor.long_coordinate().unwrap_or_else(|fault| {
+            warnings.count_fault(WarningKind::WORDS, fault);
+            f64::NAN
+        })
     })
 }
 
