@@ -368,7 +368,11 @@ impl<'a> Cursor<'a> {
     /// Reads an integer written as a decimal fraction, or reports that it is not an integer.
     #[cold]
     fn unusual_integer(&mut self) -> Result<i64, Fault> {
-        let word = self.word();
+        // A slash ends the numbers of OBJ corners.
+        let rest = &self.bytes[self.at..];
+        let length = rest.iter().position(|b| b.is_ascii_whitespace() || *b == b'/').unwrap_or(rest.len());
+        self.at += length;
+        let word = &rest[..length];
         let digits = word.strip_prefix(b"-").or(word.strip_prefix(b"+")).unwrap_or(word);
         if scan_digits(digits, 0, 0).1 > LONGEST {
             return Err(self.fault(format!("the whole number {} is too long", quoted(word))));
