@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 use memmap2::Mmap;
 use striata::file::StriataFile;
 use striata::mesh::IndexedMesh;
-use striata_io::pieces::is_raster;
-use striata_io::{Format, Place, ReadError, Source, decompressed, read_bytes_with_report, read_with_report};
+use striata_io::pieces::{PieceOptions, PieceSource as _, Terrain, is_raster};
+use striata_io::{Format, Place, ReadError, Source, decompressed, read_bytes_with_report};
 
 use crate::failure::{Excerpt, Failure, decode_hint};
 use crate::output::Output;
@@ -28,8 +28,8 @@ pub struct Input {
 enum Content {
     File(FileContent),
     Shape(Shape),
-    /// Raster of heights.
-    Raster(PathBuf),
+    /// Raster of heights, and the sample that the user takes for none.
+    Raster(PathBuf, Option<f64>),
 }
 
 #[derive(Debug)]
@@ -70,7 +70,10 @@ impl Input {
         }
         if is_raster(path) {
             Self::check_exists(path)?;
-            return Ok(Self { name: path.display().to_string(), content: Content::Raster(path.to_owned()) });
+            return Ok(Self {
+                name: path.display().to_string(),
+                content: Content::Raster(path.to_owned(), None),
+            });
         }
         let is_stdin = path == Path::new("-");
         let name = if is_stdin { "stdin".to_owned() } else { path.display().to_string() };
@@ -88,6 +91,22 @@ impl Input {
         let folder = (!is_stdin).then(|| folder_of(path));
         let content = FileContent { format, file_bytes, folder, outside_allowed: true, bytes };
         Ok(Self { name, content: Content::File(content) })
+    }
+
+    /// Sets the sample of a raster that stands for no height, besides the one that the file names.
+    ///
+    /// # Errors
+    /// If the input is no raster.
+    pub fn with_nodata(mut self, nodata: Option<f64>) -> Result<Self, Failure> {
+        match (&mut self.content, nodata) {
+            (Content::Raster(_, known), _) => *known = nodata,
+            (_, None) => {}
+            _ => {
+                let message = format!("--nodata is for rasters of heights; {} is none", self.name);
+                return Err(Failure::usage(message));
+            }
+        }
+        Ok(self)
     }
 
     /// Reads no files outside the folder of this one: for models that others have put there.
@@ -133,7 +152,7 @@ impl Input {
         match &self.content {
             Content::File(file) => file.format.extension(),
             Content::Shape(_) => "shape",
-            Content::Raster(_) => "raster",
+            Content::Raster(..) => "raster",
         }
     }
 
@@ -146,7 +165,7 @@ impl Input {
     pub(crate) fn bytes(&self) -> Option<(Format, &[u8])> {
         match &self.content {
             Content::File(file) => Some((file.format, file.bytes.as_slice())),
-            Content::Shape(_) | Content::Raster(_) => None,
+            Content::Shape(_) | Content::Raster(..) => None,
         }
     }
 
@@ -173,7 +192,7 @@ impl Input {
         match &self.content {
             Content::File(file) => Some(file.file_bytes),
             Content::Shape(_) => None,
-            Content::Raster(path) => usize::try_from(std::fs::metadata(path).ok()?.len()).ok(),
+            Content::Raster(path, _) => usize::try_from(std::fs::metadata(path).ok()?.len()).ok(),
         }
     }
 
@@ -194,10 +213,12 @@ impl Input {
         let file = match &self.content {
             Content::File(file) => file,
             Content::Shape(shape) => return Ok(shape.mesh()),
-            Content::Raster(path) => {
-                let report = read_with_report(path)?;
-                output.warn(&report.warnings)?;
-                return Ok(report.mesh);
+            Content::Raster(path, nodata) => {
+                let options = PieceOptions::default().with_nodata(*nodata);
+                let terrain = Terrain::open(std::slice::from_ref(path), &options)?;
+                let mesh = terrain.mesh()?;
+                output.warn(&terrain.warnings())?;
+                return Ok(mesh);
             }
         };
         if self.has_scene_levels() {

@@ -182,6 +182,9 @@ pub use gltf::{ExtensionUse, extension_use, known_extensions, shaded};
 pub use gltf_json::texcoord_scale;
 #[cfg(not(target_family = "wasm"))]
 pub use lod::{open, save};
+pub use lost_data::losses;
+#[cfg(feature = "gltf")]
+pub use lost_data::lost_group_names;
 #[cfg(not(target_family = "wasm"))]
 pub use read::{read, read_with_report};
 pub use read::{read_bytes, read_bytes_with_report};

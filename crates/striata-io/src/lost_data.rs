@@ -3,8 +3,9 @@
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 
 use crate::Format;
+use crate::Warning;
 use crate::error::Place;
-use crate::report::Warnings;
+use crate::report::{Warnings, shortened};
 
 /// Warns of data of triangles that a file of this format will not contain, and of numbers that it rounds.
 pub(crate) fn warn(format: Format, mesh: &IndexedMesh, warnings: &mut Warnings) {
@@ -22,6 +23,34 @@ pub(crate) fn warn(format: Format, mesh: &IndexedMesh, warnings: &mut Warnings) 
     if !mesh.appearance.georeference.is_empty() && !keeps_georeference(format) {
         warnings.push(Place::File, format!("the georeference {}", left_out(format)));
     }
+}
+
+/// Returns a remark on each property of a mesh that a file of this format would not hold as it is; `file` is its
+/// name for messages. Writers of meshes say so themselves.
+pub fn losses(format: Format, mesh: &IndexedMesh, file: &str) -> Vec<Warning> {
+    let mut warnings = Warnings::of_file(file);
+    warn(format, mesh, &mut warnings);
+    warnings.into_list()
+}
+
+/// Returns a remark on the names of groups, which [`Scene::from_mesh`](crate::Scene::from_mesh) does not keep; `file`
+/// is the name of the file for messages.
+#[cfg(feature = "gltf")]
+pub fn lost_group_names(mesh: &IndexedMesh, file: &str) -> Vec<Warning> {
+    let mut names: Vec<&str> = mesh.groups.iter().map(|group| group.name.as_str()).collect();
+    names.retain(|name| !name.is_empty());
+    names.sort_unstable();
+    names.dedup();
+    let mut warnings = Warnings::of_file(file);
+    if let Some(first) = names.first() {
+        let (count, first) = (names.len(), shortened(first));
+        let what = match count {
+            1 => format!("the name of the group `{first}` is left out"),
+            _ => format!("the names of {count} groups, such as `{first}`, are left out"),
+        };
+        warnings.push(Place::File, format!("{what}: scenes have materials only"));
+    }
+    warnings.into_list()
 }
 
 /// Name for messages: that of the file for layers without a meaning of their own.

@@ -212,7 +212,13 @@ fn read_vertex(
 ) -> Result<(), Fault> {
     row.clear();
     for _ in 0..3 {
-        row.push(cursor.coordinate()?);
+        // Numbers that are missing may be in the next line, so that all later rows are in doubt.
+        let is_missing = ends(cursor);
+        row.push(match cursor.coordinate() {
+            Ok(coordinate) => coordinate,
+            Err(fault) if is_missing => return Err(fault),
+            Err(fault) => no_number(fault, warnings),
+        });
     }
     if layout.has_color && layout.color_count == 0 {
         layout.color_count = count_color_words(cursor, layout);
@@ -223,8 +229,12 @@ fn read_vertex(
             fill_row(cursor, layout, row, warnings);
             break;
         }
-        let number = cursor.number()?;
-        row.push(if layout.has_texcoord && place == last { number.one_minus_f32() } else { number.to_f32() });
+        let is_flipped = layout.has_texcoord && place == last;
+        row.push(match cursor.number() {
+            Ok(number) if is_flipped => number.one_minus_f32(),
+            Ok(number) => number.to_f32(),
+            Err(fault) => no_number(fault, warnings),
+        });
     }
     if !ends(cursor) {
         let reason = || format!("{} follows a vertex", quoted(cursor.clone().word()));
@@ -235,6 +245,13 @@ fn read_vertex(
 }
 
 const SURPLUS: WarningKind = WarningKind("vertex with surplus numbers", "vertices with surplus numbers");
+
+/// Counts a word that is no number; the value is repaired like others that are not finite.
+#[cold]
+fn no_number(fault: Fault, warnings: &mut Warnings) -> f32 {
+    warnings.count_fault(WarningKind::WORDS, fault);
+    f32::NAN
+}
 
 /// Completes the row of a vertex that lacks attributes with NaN, which is repaired like other values that are
 /// no numbers.

@@ -5,7 +5,7 @@ use std::fmt;
 
 use striata::mesh::IndexedMesh;
 
-use crate::error::Place;
+use crate::error::{Fault, Place};
 
 /// Largest number of warnings that are kept, so that a hostile file cannot fill the memory with them.
 const MAX_WARNINGS: usize = 100;
@@ -87,6 +87,7 @@ impl WarningKind {
     pub(crate) const LINES: Self = Self("line skipped", "lines skipped");
     /// Primitives other than triangles.
     pub(crate) const SHAPES: Self = Self("line, point or curve left out", "lines, points or curves left out");
+    pub(crate) const WORDS: Self = Self("value that is no number", "values that are no numbers");
     pub(crate) const POLYGONS: Self = Self("polygon left out", "polygons left out");
 }
 
@@ -149,6 +150,14 @@ impl Warnings {
         reason: impl FnOnce() -> String,
     ) {
         self.count_many(kind, 1, || (place(), reason()));
+    }
+
+    /// Counts a fault that the reader gets over.
+    #[cold]
+    pub(crate) fn count_fault(&mut self, kind: WarningKind, fault: Fault) {
+        if let Fault::Malformed(place, reason) = fault {
+            self.count_many(kind, 1, || (place, reason));
+        }
     }
 
     /// Counts more cases of a kind; `first` is only asked for the first ones.

@@ -357,10 +357,22 @@ impl<'a> Cursor<'a> {
         Some(if negative { -(value as i64) } else { value as i64 })
     }
 
+    /// Whether the word before the cursor consists of digits, so that it is a number, if a long one.
+    #[cfg(feature = "obj")]
+    pub(crate) fn is_after_digits(&self) -> bool {
+        let word = self.bytes[..self.at].rsplit(|b| b.is_ascii_whitespace()).next().unwrap_or(&[]);
+        let digits = word.strip_prefix(b"-").or(word.strip_prefix(b"+")).unwrap_or(word);
+        digits.iter().all(u8::is_ascii_digit)
+    }
+
     /// Reads an integer written as a decimal fraction, or reports that it is not an integer.
     #[cold]
     fn unusual_integer(&mut self) -> Result<i64, Fault> {
-        let word = self.word();
+        // A slash ends the numbers of OBJ corners.
+        let rest = &self.bytes[self.at..];
+        let length = rest.iter().position(|b| b.is_ascii_whitespace() || *b == b'/').unwrap_or(rest.len());
+        self.at += length;
+        let word = &rest[..length];
         let digits = word.strip_prefix(b"-").or(word.strip_prefix(b"+")).unwrap_or(word);
         if scan_digits(digits, 0, 0).1 > LONGEST {
             return Err(self.fault(format!("the whole number {} is too long", quoted(word))));

@@ -76,7 +76,6 @@ fn ascii_stl_with_two_solids() {
 
 #[test]
 fn stl_errors_name_the_place() {
-    assert!(refused("x.stl", ASCII.replace("1.0e0", "one").as_bytes()).contains("line 5: expected a number"));
     assert!(refused("x.stl", &ASCII.as_bytes()[..110]).contains("line "));
     assert!(refused("x.stl", b"short").contains("byte 5: a binary STL begins with 84 bytes"));
     let mut bytes = written(Format::Stl, &square());

@@ -244,6 +244,31 @@ fn files_of_other_programs_are_read_as_meshes() {
     assert!(message.contains("samples times 0"), "{message}");
 }
 
+/// Decimal digits of a void need not be those of the sample; one or two huge values are voids, more are damage.
+#[test]
+fn voids_are_recognized_and_damage_is_named() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("a.tif");
+    let mut heights: Vec<f32> = (0..12).map(|i| i as f32).collect();
+    heights[11] = -9999.9;
+    write_floats(&path, &heights, &[], None);
+    let holes = |nodata: Option<f64>| {
+        let options = PieceOptions::default().with_nodata(nodata);
+        Terrain::open(std::slice::from_ref(&path), &options).unwrap().mesh().unwrap().vertex_count()
+    };
+    assert_eq!([holes(None), holes(Some(-9999.9)), holes(Some(-9999.0))], [12, 11, 12]);
+    (heights[0], heights[3], heights[11]) = (-3.4e38, 3.0e38, -3.4e38);
+    write_floats(&path, &heights, &[], None);
+    assert_eq!(striata_io::read(&path).unwrap().vertex_count(), 9);
+    heights[8] = 2.0e35;
+    write_floats(&path, &heights, &[], None);
+    let message = striata_io::read(&path).unwrap_err().to_string();
+    assert!(message.contains("row 2 is") && message.contains("no height"), "{message}");
+    let source = open_pieces(&path, &PieceOptions::default()).unwrap();
+    assert!(source.read_piece(0).is_err());
+    assert_eq!(holes(Some(2.0e35)), 8);
+}
+
 /// The place of a raster stays with its mesh in all formats that can say it.
 #[test]
 fn the_georeference_stays_with_the_mesh() {
@@ -269,4 +294,10 @@ fn the_georeference_stays_with_the_mesh() {
     assert_eq!(warnings("dem.obj"), "");
     let obj = fs::read_to_string(folder.path().join("dem.obj")).unwrap();
     assert!(obj.starts_with("# georeference {"), "{obj}");
+    for name in ["dem.ply", "dem.obj", "dem.glb"] {
+        let path = folder.path().join(name);
+        assert_eq!(striata_io::read(&path).unwrap().appearance.georeference, mesh.appearance.georeference);
+        let pieces = open_pieces(&path, &PieceOptions::default()).unwrap();
+        assert_eq!(pieces.summary().appearance.georeference, mesh.appearance.georeference, "{name}");
+    }
 }

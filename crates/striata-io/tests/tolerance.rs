@@ -128,6 +128,7 @@ fn obj_cases() -> Vec<Case> {
             Read(12, 8, &["3 lines skipped, the first is line 21: unknown statement \"t\""]),
         ),
         case("control.obj", obj() + "\x1a", Read(12, 8, &[])),
+        case("capitals.obj", obj().to_uppercase(), Read(12, 8, &[])),
         case("zeros.obj", obj() + "\0\0\0", Read(12, 8, &[])),
         case("mark.obj", "\u{feff}".to_owned() + &obj(), Read(12, 8, &[])),
         case("returns.obj", obj().replace('\n', "\r"), Read(12, 8, &[])),
@@ -195,6 +196,36 @@ fn many_faults_in_obj() -> Vec<Case> {
                 12,
                 8,
                 &["1 normal computed anew, vertex 1: the layer normal has a value that is not finite"],
+            ),
+        ),
+        case(
+            "words.obj",
+            obj().replacen("v 0 0 1", "v 0 here 1", 1) + "f 1 x 3\n",
+            Read(
+                8,
+                7,
+                &[
+                    "1 value that is no number, line 2: expected a number, found `here`",
+                    "1 polygon left out, line 21: expected a whole number, found `x`",
+                    "4 triangles left out, the first is triangle 0: its vertex 1 has the coordinate NaN",
+                ],
+            ),
+        ),
+        case(
+            "short-rows.obj",
+            rows("v ")
+                + &rows("vn ").replacen("vn 0 0 1", "vn 0 0", 1).replacen("vn 1 1 1", "vn a b c", 1)
+                + &rows("vt ").replacen("vt 0 1 0", "vt", 1).replacen("vt 0 0 1", "vt x y", 1)
+                + &faces("/#/#").replacen("f 1/1/1", "f 1/x/1", 1),
+            Read(
+                12,
+                9,
+                &[
+                    "4 values that are no numbers, the first is line 10: expected a number, found the end of the line",
+                    "1 texture coordinate of a corner left out, line 25: expected a whole number, found `x`",
+                    "2 normals computed anew, the first is vertex 1: the layer normal has a value that is not finite",
+                    "2 texture coordinates set to 0, the first is vertex 1: the layer texcoord_0 has a value that is not finite",
+                ],
             ),
         ),
         case(
@@ -275,6 +306,19 @@ fn stl_cases() -> Vec<Case> {
                 &["4 triangles left out, the first is triangle 0: its vertex 1 has the coordinate NaN"],
             ),
         ),
+        case("one-line.stl", stl().replace('\n', " "), Read(12, 8, &[])),
+        case(
+            "word.stl",
+            stl().replacen("vertex 0 0 1", "vertex 0 here 1", 1).replacen("vertex 1 1 1", "vertex 1 1", 1),
+            Read(
+                10,
+                8,
+                &[
+                    "2 values that are no numbers, the first is line 5: expected a number, found `here`",
+                    "2 triangles left out, the first is triangle 0: its vertex 1 has the coordinate NaN",
+                ],
+            ),
+        ),
         case("cut.stl", stl()[..half + 10].to_owned(), Refused("the file ends within a facet")),
         case("solid.stl", binary_stl(b"solid box", 12, b""), Read(12, 8, &[])),
         case(
@@ -341,6 +385,18 @@ fn off_cases() -> Vec<Case> {
             Read(11, 8, &["1 polygon left out, line 11: a polygon with 2 corners"]),
         ),
         case("nan.off", off().replacen("0 0 1\n", "0 nan 1\n", 1), Read(8, 7, LOST_4)),
+        case(
+            "word.off",
+            off().replacen("0 0 1\n", "0 here 1\n", 1),
+            Read(
+                8,
+                7,
+                &[
+                    "1 value that is no number, line 4: expected a number, found `here`",
+                    "4 triangles left out, the first is triangle 0: its vertex 1 has the coordinate NaN",
+                ],
+            ),
+        ),
         case(
             "index.off",
             off().replacen("3 0 1 3", "3 0 1 8", 1),
@@ -569,6 +625,9 @@ fn files_in_pieces_follow_the_rule() {
                         .next()
                         .unwrap()
                         .split(", the first is triangle")
+                        .next()
+                        .unwrap()
+                        .split(", the first is vertex")
                         .next()
                         .unwrap();
                     assert!(found.starts_with(head), "{name}: {found}");

@@ -13,8 +13,8 @@ use striata::model::{ModelKind, StageOptions};
 use striata_command::args::DriverArgs;
 use striata_command::args::{
     AxisAlignedBox, BUILD_STRIPS, Count, EditArgs, EyeArgs, FlatArgs, LEVEL, Length, LevelArgs, LevelsArgs,
-    OutputArgs, ReportArgs, STRIPS, SequenceArgs, StreamArgs, StripSearchArgs, TextureArgs, ViewArgs,
-    strips_help,
+    OutputArgs, RasterArgs, ReportArgs, STRIPS, SequenceArgs, StreamArgs, StripSearchArgs, TextureArgs,
+    ViewArgs, strips_help,
 };
 use striata_command::strip_chain::{StripChain, StripPlan};
 #[cfg(feature = "serve")]
@@ -248,6 +248,9 @@ pub(crate) struct InfoArgs {
     /// Whether a scene is described as one mesh.
     #[command(flatten)]
     pub scene: FlatArgs,
+    /// How a raster is read.
+    #[command(flatten)]
+    pub raster: RasterArgs,
 }
 
 /// Arguments of `extract`.
@@ -351,6 +354,9 @@ pub(crate) struct SimplifyArgs {
     /// How textures are re-encoded.
     #[command(flatten)]
     pub textures: TextureArgs,
+    /// How a raster is read.
+    #[command(flatten)]
+    pub raster: RasterArgs,
 }
 
 /// Arguments of `distance`.
@@ -391,6 +397,9 @@ pub(crate) struct ConvertArgs {
     /// How textures are re-encoded.
     #[command(flatten)]
     pub textures: TextureArgs,
+    /// How a raster is read.
+    #[command(flatten)]
+    pub raster: RasterArgs,
 }
 
 /// Arguments of `demo`.

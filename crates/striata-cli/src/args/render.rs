@@ -9,7 +9,9 @@ use striata::model::ModelKind;
 
 #[cfg(feature = "gpu")]
 use striata_command::args::DriverArgs;
-use striata_command::args::{Coloring, Count, Length, LevelChoice, Point, PoseArgs, ViewArgs, Viewport};
+use striata_command::args::{
+    Coloring, Count, Length, LevelChoice, Point, PoseArgs, RasterArgs, ViewArgs, Viewport,
+};
 
 /// Help heading of the camera flags.
 const CAMERA: &str = "Camera";
@@ -149,6 +151,9 @@ pub(crate) struct RenderArgs {
     #[cfg(feature = "gpu")]
     #[command(flatten)]
     pub drivers: DriverArgs,
+    /// How a raster is read.
+    #[command(flatten)]
+    pub raster: RasterArgs,
 }
 
 impl RenderArgs {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use striata_command::args::{
-    EditArgs, FlatArgs, OptionalLevel, OutputArgs, SequenceArgs, StreamArgs, TextureArgs,
+    EditArgs, FlatArgs, OptionalLevel, OutputArgs, RasterArgs, SequenceArgs, StreamArgs, TextureArgs,
 };
 
 /// Arguments of `encode`.
@@ -60,6 +60,9 @@ pub(crate) struct EncodeArgs {
     /// How textures are re-encoded.
     #[command(flatten)]
     pub textures: TextureArgs,
+    /// How a raster is read.
+    #[command(flatten)]
+    pub raster: RasterArgs,
 }
 
 impl EncodeArgs {

@@ -3,6 +3,7 @@
 use serde::Serialize;
 use striata::mesh::{DistanceError, DistanceOptions, OneSidedDistance, surface_distance};
 
+use super::paged::open_input;
 use crate::args::DistanceArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
@@ -39,7 +40,7 @@ impl From<OneSidedDistance> for OneSidedReport {
 pub(crate) fn run(args: &DistanceArgs, output: &Output) -> Result<(), Failure> {
     let mut bar = output.bar();
     bar.phase("read");
-    let inputs = [Input::open(&args.a)?, Input::open(&args.b)?];
+    let inputs = [open_input(&args.a, usize::MAX)?, open_input(&args.b, usize::MAX)?];
     let (a, b) = (inputs[0].mesh(output)?, inputs[1].mesh(output)?);
     let of = |which| if which == "first" { &inputs[0] } else { &inputs[1] };
     let mut options = DistanceOptions::default();

@@ -6,12 +6,13 @@ use serde::Serialize;
 use serde_json::{Value, json};
 use striata::file::{WriteOptions, write_fragments, write_striata};
 use striata::mesh::{IndexedMesh, Steps, weld};
-use striata_io::Format;
+use striata_io::{Format, losses};
 use striata_stream::{
     EncodedStream, StreamInfo, StreamLevels, StreamOptions, encode_fragments_with_progress,
     encode_stream_with_progress, file_model,
 };
 
+use super::paged::open_input;
 use super::scene;
 use crate::args::EncodeArgs;
 use striata_command::clock::{Phases, peak_rss_bytes};
@@ -48,14 +49,18 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     let mut bar = output.bar();
     phases.enter("read");
     bar.phase("read");
-    let input = Input::open(&args.input)?;
+    let input = open_input(&args.input, usize::MAX)?.with_nodata(args.raster.nodata)?;
     if is_scene(&input, format, args) {
         return encode_scene(args, &input, &path, format, output);
     }
     let mesh = input.mesh(output)?;
     if !mesh.appearance.images.is_empty() && format == Format::Stream && !args.scene.flat {
-        // The stream of a scene sends previews of textures before the textures.
-        return encode_scene(args, &input, &path, format, output);
+        let losses = losses(Format::Glb, &mesh, &input.name);
+        if losses.is_empty() {
+            // The stream of a scene sends previews of textures before the textures.
+            return encode_scene(args, &input, &path, format, output);
+        }
+        output.say("note: encoded as one mesh, since the stream of a scene cannot hold all of its data");
     }
     let mesh = with_mesh_textures(mesh, args.textures.options().as_ref(), output)?;
     phases.enter("weld");

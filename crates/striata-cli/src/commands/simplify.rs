@@ -9,6 +9,7 @@ use super::levels::{
     HowMade, LevelJob, ScenePlacement, SceneSource, SimplifiedMesh, check_outputs, full_of, simplified_text,
     write_levels,
 };
+use super::paged::open_input;
 use super::placement::{ChosenPlacement, placement_name};
 use crate::args::SimplifyArgs;
 use striata_command::failure::Failure;
@@ -30,7 +31,7 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let placement = ChosenPlacement::of(args)?;
     let mut bar = output.bar();
     bar.phase("read");
-    let input = Input::open(&args.input)?;
+    let input = open_input(&args.input, usize::MAX)?.with_nodata(args.raster.nodata)?;
     if (input.scene_kind().is_some() && !args.scene.flat) || args.levels.lod_chain {
         drop(bar);
         return simplify_scene(args, placement, &input, started, output);
@@ -98,7 +99,8 @@ fn simplify_scene(
 ) -> Result<(), Failure> {
     let mut bar = output.bar();
     bar.phase("read");
-    let scene = if args.scene.flat { flat_scene(input, output)? } else { input.scene(output)? };
+    let is_mesh = args.scene.flat || input.scene_kind().is_none();
+    let scene = if is_mesh { flat_scene(input, &input.name, output)? } else { input.scene(output)? };
     let scene = edited(scene, &args.edits, true, output)?;
     let limits = Limits { max_error: limit_in_units(args.max_error, scene.diagonal()), ..Limits::default() };
     let lods = build_scene(input, &scene, &args.sequence, limits, &mut |progress| bar.show(progress))?;

@@ -389,6 +389,30 @@ fn rasters_are_inputs_like_any_other() {
         bench.run(line).success();
     }
     assert_eq!(mesh(&bench, "full.glb").vertex_count(), 61 * 61);
+    // HGT files have one sample for voids; the user may name another.
+    let all = json(&bench, "info N47E011.hgt")["vertex_count"].as_u64().unwrap();
+    let named = mesh(&bench, "full.glb").positions[0][2];
+    for line in ["simplify N47E011.hgt -o holes.ply --detail 1", "convert N47E011.hgt holes.ply"] {
+        let holes = json(&bench, &format!("{line} --nodata {named}"))["vertex_count"].as_u64().unwrap();
+        assert!(holes < all, "{line}: {holes} of {all}");
+    }
+    bench.run("build N47E011.hgt -o pages.striata --quiet").success();
+    for line in [
+        "build N47E011.hgt -o other.striata",
+        "plan N47E011.hgt -o third.striata",
+        "extract pages.striata -o level.ply --triangles 500",
+        "decode terrain.stri -o level.ply --ratio 0.5",
+        "render N47E011.hgt -o terrain.png --size 80x60 --flat",
+        "simplify pages.striata -o level.ply --ratio 0.5",
+    ] {
+        assert_eq!(json(&bench, line)["georeference"]["epsg"], 4326, "{line}");
+    }
+    // The triangles of such a file are a coarse level.
+    bench.run("encode N47E011.hgt -o streams.glb").success();
+    let message = stderr(&bench.run("build streams.glb --paged -o s.striata").failure());
+    assert!(message.contains("streams of finer levels"), "{message}");
+    let message = stderr(&bench.run("info full.glb --nodata -9999").failure());
+    assert!(message.contains("--nodata is for rasters of heights"), "{message}");
     let message = stderr(&bench.run("info none.tif").failure());
     assert!(message.contains("none.tif"), "{message}");
 }
@@ -411,6 +435,30 @@ fn a_changed_input_is_noticed() {
     assert!(!bench.path("u.striata").exists());
     bench.run("build grid.ply --cell 1000 -o u.striata --restart --quiet").success();
     assert!(!bench.path("u.striata.work").exists());
+}
+
+/// Neither the time of the file nor its size tell that it is another one.
+#[test]
+fn a_changed_input_of_the_same_time_is_noticed() {
+    let bench = Workbench::new();
+    let grid = |height: f64| terrain(70, move |x, y| [x as f64, y as f64, height + bump(x, y)]);
+    bench.write("grid.ply", grid(10.0));
+    let time = fs::metadata(bench.path("grid.ply")).unwrap().modified().unwrap();
+    bench.run("plan grid.ply -o t.striata --cell 1000 --quiet").success();
+    bench.write("grid.ply", grid(11.0));
+    fs::File::options().write(true).open(bench.path("grid.ply")).unwrap().set_modified(time).unwrap();
+    if cfg!(unix) {
+        let message = stderr(&bench.run("run t.striata.work").failure());
+        assert!(message.contains("grid.ply: the file has changed since the build was planned"), "{message}");
+    }
+    // So are the buffers of glTF.
+    bench.run("convert grid.ply grid.gltf --quiet").success();
+    bench.run("plan grid.gltf -o u.striata --cell 1000 --quiet").success();
+    let mut bytes = bench.read("grid.bin");
+    bytes[2] ^= 1;
+    bench.write("grid.bin", bytes);
+    let message = stderr(&bench.run("run u.striata.work").failure());
+    assert!(message.contains("grid.bin: the file has changed since the build was planned"), "{message}");
 }
 
 #[test]

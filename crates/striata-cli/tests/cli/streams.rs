@@ -431,3 +431,77 @@ fn attributes_and_boundaries_are_preserved() {
     let found = off["a_to_b"]["max"].as_f64().expect("a number");
     assert!(found <= allowed, "{found} exceeds {allowed}");
 }
+
+/// A red pixel.
+const PNG: &[u8] = b"\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00\x01\x00\x00\x00\x01\x08\x02\x00\x00\x00\x90wS\xde\x00\x00\x00\x0cIDATx\x9cc\xf8\xcf\xc0\x00\x00\x03\x01\x01\x00\xc9\xfe\x92\xef\x00\x00\x00\x00IEND\xaeB`\x82";
+
+/// Scenes hold less than meshes: a textured mesh with more data is encoded as one mesh, and GLB files say what they
+/// lack.
+#[test]
+fn data_of_textured_meshes_are_kept_or_named() {
+    let bench = Workbench::new();
+    bench.write("pixel.png", PNG);
+    let mut text =
+        "ply\nformat ascii 1.0\ncomment TextureFile pixel.png\ncomment georeference {\"epsg\":32632}\n\
+         element vertex 100\nproperty double x\nproperty double y\nproperty double z\nproperty float s\n\
+         property float t\nproperty int label\nproperty double time\nelement face 162\n\
+         property list uchar int vertex_indices\nproperty int id\nend_header\n"
+            .to_owned();
+    for i in 0..100 {
+        let (x, y) = (i % 10, i / 10);
+        let (label, time) = (i - 7 + 123_456_789, 1.6e9 + f64::from(i) / 1000.0);
+        text += &format!("{x}.25 {y} {} 0.{x} 0.{y} {label} {time}\n", x * y % 4);
+    }
+    for i in (0..90).filter(|i| i % 10 < 9) {
+        text += &format!(
+            "3 {i} {} {} {}\n3 {} {} {} {}\n",
+            i + 1,
+            i + 10,
+            -i,
+            i + 1,
+            i + 11,
+            i + 10,
+            i + 16_777_217
+        );
+    }
+    bench.write("scan.ply", text);
+    let stderr = |line: &str| {
+        let assert = bench.run(line).success();
+        String::from_utf8_lossy(&assert.get_output().stderr).into_owned()
+    };
+    let full = striata_io::read(bench.path("scan.ply")).unwrap();
+    let note = stderr("encode scan.ply -o scan.stri --lossless");
+    assert!(note.contains("encoded as one mesh"), "{note}");
+    bench.run("decode scan.stri -o back.ply").success();
+    let back = striata_io::read(bench.path("back.ply")).unwrap();
+    assert_eq!((back.vertex_count(), back.triangle_count()), (100, 162));
+    let kinds = |mesh: &striata::mesh::IndexedMesh| {
+        let layers = mesh.layers.iter().chain(&mesh.triangle_layers);
+        layers.map(|l| (l.semantic.to_string(), l.data.empty_like())).collect::<Vec<_>>()
+    };
+    assert_eq!(kinds(&back), kinds(&full));
+    assert_eq!(back.appearance.georeference, full.appearance.georeference);
+    assert_eq!(back.appearance.images.len(), 1);
+    for line in ["encode scan.ply -o scan.glb", "build scan.ply -o ordered.glb", "convert scan.ply plain.glb"]
+    {
+        let warnings = stderr(line);
+        for lost in ["the property `label` of vertices is left out", "the property `id` of faces is left out"]
+        {
+            assert!(warnings.contains(lost), "{line}: {warnings}");
+        }
+    }
+    for name in ["scan.glb", "ordered.glb", "plain.glb"] {
+        assert_eq!(bench.json(&format!("info {name}"))["georeference"]["epsg"], 32632, "{name}");
+    }
+    bench.write("named.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\ng left\nf 1 2 3\ng right\nf 2 4 3\n");
+    for line in ["encode named.obj -o named.glb", "build named.obj -o named.glb"] {
+        let warnings = stderr(line);
+        assert!(
+            warnings.contains("the names of 2 groups, such as `left`, are left out"),
+            "{line}: {warnings}"
+        );
+    }
+    // Without such data it is a scene, which sends previews of its textures first.
+    bench.run("convert plain.glb less.obj").success();
+    assert!(bench.json("encode less.obj -o less.stri")["image_count"] == 1);
+}

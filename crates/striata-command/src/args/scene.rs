@@ -3,6 +3,19 @@
 use clap::{ArgGroup, Args, ValueEnum};
 use striata_scene::textures::{TextureFormat, TextureOptions};
 
+/// How a raster of heights is read.
+#[derive(Clone, Copy, Debug, Default, Args)]
+pub struct RasterArgs {
+    /// Take this sample of a raster for none, besides the one that the file names
+    #[arg(
+        long,
+        value_name = "VALUE",
+        allow_negative_numbers = true,
+        help_heading = "Terrain (.tif, .hgt, .png)"
+    )]
+    pub nodata: Option<f64>,
+}
+
 /// Whether a scene is treated as one mesh.
 #[derive(Clone, Copy, Debug, Default, Args)]
 #[command(next_help_heading = "Scenes (.gltf, .glb, and files made from them)")]

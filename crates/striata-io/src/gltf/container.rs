@@ -35,11 +35,19 @@ pub(crate) fn chunk_ranges(
     if version != 2 {
         return Err(Fault::Unsupported(Place::Byte(4), format!("GLB version {version}")));
     }
-    let length = length as usize;
-    if length > bytes.len() || length < HEADER_BYTES {
-        let reason = format!("the header declares {length} bytes, found {}", bytes.len());
-        return Err(Fault::at_byte(8, reason));
-    }
+    let length = match length as usize {
+        declared if has_chunks(bytes, declared) => declared,
+        declared if has_chunks(bytes, bytes.len()) => {
+            let reason = format!("the header declares {declared} bytes, found {}", bytes.len());
+            warnings.push(Place::Byte(8), reason);
+            bytes.len()
+        }
+        declared if declared > bytes.len() || declared < HEADER_BYTES => {
+            let reason = format!("the header declares {declared} bytes, found {}", bytes.len());
+            return Err(Fault::at_byte(8, reason));
+        }
+        declared => declared,
+    };
     let bytes = &bytes[..length];
     let (mut json, mut binary) = (None, None);
     let mut at = HEADER_BYTES;
@@ -54,7 +62,7 @@ pub(crate) fn chunk_ranges(
             return Err(Fault::at_byte(at, reason));
         }
         if kind == JSON_CHUNK && json.is_none() {
-            json = Some(start..end);
+            json = Some(without_zeros(bytes, start..end));
         } else if kind == BINARY_CHUNK && binary.is_none() {
             binary = Some(start..end);
         }
@@ -68,6 +76,27 @@ pub(crate) fn chunk_ranges(
         Some(json) => Ok((json, binary)),
         None => Err(Fault::at_byte(HEADER_BYTES, "the first chunk must be JSON, but there is none")),
     }
+}
+
+/// Whether a file of this length consists of whole chunks; the declared length is wrong in some files.
+fn has_chunks(bytes: &[u8], length: usize) -> bool {
+    let Some(bytes) = bytes.get(..length) else { return false };
+    let mut at = HEADER_BYTES;
+    while at < length {
+        let Some(size) = word_at(bytes, at).filter(|_| at + 8 <= length) else { return false };
+        let end = (at + 8).saturating_add(size as usize);
+        if end > length {
+            return false;
+        }
+        at = next_chunk(bytes, end);
+    }
+    length > HEADER_BYTES
+}
+
+/// Returns the range of a JSON chunk without the zeros that some writers pad it with instead of blanks.
+fn without_zeros(bytes: &[u8], range: Range<usize>) -> Range<usize> {
+    let zeros = bytes[range.clone()].iter().rev().take_while(|&&byte| byte == 0).count();
+    range.start..range.end - zeros
 }
 
 /// Returns the start of the chunk after one that ends at `end`: there, or at the next multiple of 4.
@@ -122,6 +151,27 @@ mod tests {
         let length = out.len() as u32;
         out[8..12].copy_from_slice(&length.to_le_bytes());
         out
+    }
+
+    #[test]
+    fn json_may_end_in_zeros_and_the_length_may_be_wrong() {
+        let bytes = file(&[(JSON_CHUNK, b"{\"a\":1}\0\0\0\0\0", 0), (BINARY_CHUNK, &[7; 4], 0)]);
+        for (length, warning_count) in [(bytes.len(), 0), (0, 1), (20, 1), (1000, 1)] {
+            let mut bytes = bytes.clone();
+            bytes[8..12].copy_from_slice(&(length as u32).to_le_bytes());
+            let mut warnings = Warnings::default();
+            let found = chunks(&bytes, &mut warnings).unwrap();
+            assert_eq!(found, (&b"{\"a\":1}"[..], Some(&[7; 4][..])), "{length}");
+            assert_eq!(warnings.into_list().len(), warning_count, "{length}");
+            bytes.truncate(bytes.len() - 1);
+            assert!(chunks(&bytes, &mut Warnings::default()).is_err(), "{length}");
+        }
+        let mut more = bytes.clone();
+        more.extend(b"more");
+        assert_eq!(
+            chunks(&more, &mut Warnings::default()).unwrap(),
+            chunks(&bytes, &mut Warnings::default()).unwrap()
+        );
     }
 
     #[test]

@@ -103,7 +103,7 @@ pub use shading::shaded;
 pub(crate) use shown_meshes::shown_meshes;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub(crate) use vertex_pieces::VertexPieces;
-pub(crate) use write::{image_entry, insert, looks, to_bytes};
+pub(crate) use write::{GEOREFERENCE, image_entry, insert, looks, to_bytes};
 pub(crate) use write_layers::{attribute_name, is_unstorable};
 pub(crate) use write_scene::scene_to_bytes;
 

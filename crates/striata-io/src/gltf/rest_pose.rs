@@ -121,7 +121,7 @@ impl RestPose {
                 let deltas = &layers[deltas];
                 for vertex in range.clone() {
                     for (axis, x) in positions[vertex].iter_mut().enumerate() {
-                        *x += weight * deltas.get(vertex, axis);
+                        *x += weight * finite(deltas.get(vertex, axis));
                     }
                 }
             }
@@ -136,6 +136,11 @@ impl RestPose {
     }
 }
 
+/// A number, or 0 if it is not finite, as `repair` has it afterwards.
+fn finite(number: f32) -> f32 {
+    if number.is_finite() { number } else { 0.0 }
+}
+
 /// Adds displacements, in proportion to a weight, to the directions of a layer.
 fn add_directions(
     mesh: &mut IndexedMesh,
@@ -148,7 +153,7 @@ fn add_directions(
     let Some((data, width)) = floats_of(mesh, directions) else { return };
     for (own, vertex) in range.enumerate() {
         for axis in 0..3 {
-            data[vertex * width + axis] += weight * deltas.get(own, axis);
+            data[vertex * width + axis] += weight * finite(deltas.get(own, axis));
         }
     }
 }
@@ -214,10 +219,12 @@ impl SkinPose {
 
     /// Returns the mean of the matrices of the joints of a vertex; [`None`] if it has none.
     fn matrix(&self, sets: &[(AttributeLayer, AttributeLayer)], vertex: usize) -> Option<DMat4> {
-        let (mut sum, mut total) = (DMat4::ZERO, 0.0);
+        let (mut sum, mut total, mut is_strange) = (DMat4::ZERO, 0.0, false);
         for (joints, weights) in sets {
             for slot in 0..joints.component_count.min(weights.component_count) as usize {
-                let weight = f64::from(weights.get(vertex, slot));
+                let weight = weights.get(vertex, slot);
+                is_strange |= !weight.is_finite();
+                let weight = f64::from(finite(weight));
                 let joint = joints.get(vertex, slot) as usize;
                 if let Some(matrix) = self.matrices.get(joint).filter(|_| weight != 0.0) {
                     sum += *matrix * weight;
@@ -225,6 +232,32 @@ impl SkinPose {
                 }
             }
         }
+        if total == 0.0 && is_strange {
+            // Then `repair` gives all weight to the first joint.
+            let (joints, _) = sets.first()?;
+            return self.matrices.get(joints.get(vertex, 0) as usize).copied();
+        }
         (total != 0.0).then(|| sum * (1.0 / total))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+
+    #[test]
+    fn weights_that_are_no_numbers_move_nothing_to_nowhere() {
+        let matrices = vec![DMat4::from_translation(DVec3::X), DMat4::IDENTITY];
+        let skin = SkinPose { index: 0, matrices };
+        let joints = LayerData::U8(vec![0, 1, 0, 1]);
+        let joints =
+            AttributeLayer { data: joints, ..AttributeLayer::from_f32(Semantic::Joints(0), 2, Vec::new()) };
+        let weights =
+            AttributeLayer::from_f32(Semantic::Weights(0), 2, vec![f32::NAN, 1.0, f32::NAN, f32::INFINITY]);
+        let sets = [(joints, weights)];
+        assert_eq!(skin.matrix(&sets, 0), Some(DMat4::IDENTITY));
+        assert_eq!(skin.matrix(&sets, 1), Some(DMat4::from_translation(DVec3::X)));
     }
 }

@@ -19,12 +19,13 @@ const TOLERANT: GeneralPurpose = GeneralPurpose::new(
 /// Decodes a `data:` URI to its bytes and media type; [`None`] if it is another kind of URI, an error if it
 /// is malformed.
 pub(super) fn data(uri: &str) -> Option<Result<(Vec<u8>, String), String>> {
-    let rest = uri.strip_prefix("data:")?;
+    let rest = uri.get(5..).filter(|_| uri[..5].eq_ignore_ascii_case("data:"))?;
     let Some((kind, content)) = rest.split_once(',') else {
         return Some(Err("a data URI without a comma".to_owned()));
     };
-    Some(match kind.strip_suffix(";base64") {
-        Some(kind) => from_base64(content).map(|bytes| (bytes, media_type(kind))),
+    let is_base64 = |(_, last): &(&str, &str)| last.trim().eq_ignore_ascii_case("base64");
+    Some(match kind.rsplit_once(';').filter(is_base64) {
+        Some((kind, _)) => from_base64(content).map(|bytes| (bytes, media_type(kind))),
         None => Ok((percent_decode_str(content).collect(), media_type(kind))),
     })
 }
@@ -82,6 +83,9 @@ mod tests {
         assert_eq!(data("data:text/plain;charset=x,a%20b").unwrap().unwrap().0, b"a b");
         let escaped = data("data:;base64,YW55IGNh%0Acm5hbCBwbGVhcw%3D%3D").unwrap().unwrap();
         assert_eq!(escaped.0, b"any carnal pleas");
+        assert_eq!(data("DATA:;Base64,+/+/").unwrap(), data("data:;base64,+/+/").unwrap());
+        assert_eq!(data("dat"), None);
+        assert_eq!(data("däta:"), None);
         for broken in ["data:;base64,A", "data:;base64,AB*D", "data:nothing"] {
             assert!(data(broken).unwrap().is_err(), "{broken}");
         }

@@ -22,7 +22,7 @@ use crate::gltf_json::extensions_in;
 const TRIANGLES: u32 = 4;
 const TRIANGLE_FAN: u32 = 6;
 /// Name of the place of a terrain among the extras of a scene.
-pub(super) const GEOREFERENCE: &str = "georeference";
+pub(crate) const GEOREFERENCE: &str = "georeference";
 
 /// Encodes a mesh as a glTF file, quantized and compressed as the options say.
 pub(crate) fn to_bytes(

@@ -93,7 +93,7 @@ impl ObjReader {
         warnings: &mut Warnings,
     ) -> ObjOutline {
         let (counts, missing) = (self.counts(), [0, 1, 2].map(|kind| self.missing(kind)));
-        let Self { taken_triangles, libraries, mut groups, materials, .. } = self;
+        let Self { taken_triangles, libraries, mut groups, materials, georeference, .. } = self;
         let mut end = taken_triangles as u32;
         for group in groups.iter_mut().rev() {
             group.count = end - group.first;
@@ -108,6 +108,7 @@ impl ObjReader {
             mesh.layers.push(AttributeLayer::from_f32(Semantic::TexCoord(0), 2, Vec::new()));
         }
         mesh.appearance.materials = materials;
+        mesh.appearance.georeference = georeference;
         mesh.appearance.material_libraries = libraries.iter().map(|library| library.names.clone()).collect();
         libraries::attach(&mut mesh, &libraries, input_bytes, source, warnings);
         ObjOutline { groups, appearance: mesh.appearance, counts, missing, has_long_coordinates: false }

@@ -10,8 +10,8 @@
 //! OBJ's texture coordinates grow upward, those of a mesh downward: `v` becomes `1 - v`, subtracted in
 //! decimal (`0.1` becomes `0.9`), so that a round trip changes no digit.
 //!
-//! Lines that mean nothing are skipped, and normals and texture coordinates that do not exist are absent;
-//! `remarks` counts both. A position that does not exist is an error.
+//! Lines that mean nothing are skipped, normals and texture coordinates that do not exist are absent, and words
+//! that are no numbers count as not finite; `remarks` counts them. A position that does not exist is an error.
 //!
 //! If the folder of the file is known, `libraries` reads the material libraries in it; `mtl` parses them, and
 //! `materials` converts them to glTF materials. Whatever goes wrong there is a warning, never an error.
@@ -67,6 +67,10 @@ struct ObjReader {
     /// Indices of each kind that were used before they were defined, and their lines: each is larger than
     /// those before it, so that the first one that is never defined is among them.
     forward: [Vec<(u32, u64)>; 3],
+    /// JSON object of `# georeference JSON`, a note of our own writer; may be empty.
+    georeference: String,
+    /// Whether a corner of the current polygon has no index of a position.
+    has_bad_corner: bool,
     warnings: Warnings,
     /// Number of statements of the format.
     known_count: u64,
@@ -100,7 +104,7 @@ pub(crate) fn visit_coordinates(bytes: &[u8], mut visit: impl FnMut([f64; 3])) {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut cursor = Cursor::new(bytes).with_continuation();
     while !cursor.at_end() {
-        if cursor.word() == b"v" {
+        if cursor.word().eq_ignore_ascii_case(b"v") {
             visit([(); 3].map(|()| cursor.f64().unwrap_or(f64::NAN)));
         }
         cursor.next_line();
@@ -122,17 +126,37 @@ impl ObjReader {
 
     /// Reads one statement.
     fn statement(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
-        if cursor.at_line_end() || cursor.peek() == Some(b'#') {
+        if cursor.at_line_end() {
+            return Ok(());
+        }
+        if cursor.peek() == Some(b'#') {
+            self.remark(cursor);
             return Ok(());
         }
         // Single-byte patterns are compared in registers, string patterns by calls; the difference is
         // measurable.
         self.known_count += 1;
-        match cursor.word() {
-            [b'v'] => self.position(cursor),
-            [b'v', b't'] => self.texcoord(cursor),
+        let word = cursor.word();
+        self.words(word, cursor)
+    }
+
+    /// Reads the words of a statement after the first one.
+    fn words(&mut self, word: &[u8], cursor: &mut Cursor<'_>) -> Result<(), Fault> {
+        match word {
+            [b'v'] => {
+                self.position(cursor);
+                Ok(())
+            }
+            [b'v', b't'] => {
+                self.texcoord(cursor);
+                Ok(())
+            }
             [b'v', b'n'] => {
-                self.tables.normals.push([cursor.f32()?, cursor.f32()?, cursor.f32()?]);
+                let normal = match three_numbers(cursor) {
+                    Ok(normal) => normal,
+                    Err(fault) => self.no_number(fault),
+                };
+                self.tables.normals.push(normal);
                 Ok(())
             }
             // `fo` is an older spelling.
@@ -151,18 +175,25 @@ impl ObjReader {
                 self.libraries.push(LibraryStatement { names: name_at(cursor), line });
                 Ok(())
             }
-            word => {
-                self.other_statement(word, cursor);
-                Ok(())
-            }
+            _ => match in_lower_case(word) {
+                Some(known) => self.words(known, cursor),
+                None => {
+                    self.other_statement(word, cursor);
+                    Ok(())
+                }
+            },
         }
     }
 
     /// Reads `v x y z`, optionally followed by a weight, a color, or a color and alpha.
-    fn position(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
-        self.tables.positions.push([cursor.coordinate()?, cursor.coordinate()?, cursor.coordinate()?]);
+    fn position(&mut self, cursor: &mut Cursor<'_>) {
+        let position = match three_coordinates(cursor) {
+            Ok(position) => position,
+            Err(fault) => self.no_number(fault),
+        };
+        self.tables.positions.push(position);
         if ends(cursor) {
-            return Ok(());
+            return;
         }
         let (mut extra, mut count) = ([0.0f32; 5], 0);
         while !ends(cursor) {
@@ -170,7 +201,10 @@ impl ObjReader {
                 self.surplus(cursor);
                 break;
             }
-            extra[count] = cursor.f32()?;
+            extra[count] = match cursor.f32() {
+                Ok(number) => number,
+                Err(fault) => self.no_number::<1>(fault)[0],
+            };
             count += 1;
         }
         if count >= 3 {
@@ -179,14 +213,14 @@ impl ObjReader {
             tables.colors.resize((tables.positions.len() - 1) * 3, 1.0);
             tables.colors.extend_from_slice(&extra[..3]);
         }
-        Ok(())
     }
 
-    fn texcoord(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
-        let u = cursor.f32()?;
-        let v = if ends(cursor) { 1.0 } else { cursor.number()?.one_minus_f32() };
-        self.tables.texcoords.push([u, v]);
-        Ok(())
+    fn texcoord(&mut self, cursor: &mut Cursor<'_>) {
+        let texcoord = match texcoord_at(cursor) {
+            Ok(texcoord) => texcoord,
+            Err(fault) => self.no_number(fault),
+        };
+        self.tables.texcoords.push(texcoord);
     }
 
     fn face(&mut self, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
@@ -195,7 +229,9 @@ impl ObjReader {
         while !ends(cursor) {
             polygon.push(self.corner(cursor)?);
         }
-        if polygon.len() >= 3 {
+        if self.has_bad_corner {
+            self.has_bad_corner = false;
+        } else if polygon.len() >= 3 {
             self.open_group();
             for pair in polygon[1..].windows(2) {
                 self.corners.extend_from_slice(&[polygon[0], pair[0], pair[1]]);
@@ -228,7 +264,11 @@ impl ObjReader {
     /// Reads an index that counts from 1, or backward from the end if negative.
     #[inline]
     fn index(&mut self, cursor: &mut Cursor<'_>, kind: usize, count: usize) -> Result<u32, Fault> {
-        let index = cursor.integer()?;
+        let index = match cursor.integer() {
+            Ok(index) => index,
+            Err(fault) if kind == 0 && cursor.is_after_digits() => return Err(fault),
+            Err(fault) => return Ok(self.no_index(kind, fault)),
+        };
         let found = match index {
             0 => None,
             1.. => u32::try_from(index - 1).ok().filter(|&i| i != NONE),
@@ -279,9 +319,38 @@ impl ObjReader {
         if matches!(&self.groups[..], [only] if only.name.is_empty() && only.material.is_none()) {
             self.groups.clear();
         }
-        let appearance = Appearance { materials: self.materials, ..Appearance::default() };
+        let appearance = Appearance {
+            materials: self.materials,
+            georeference: self.georeference,
+            ..Appearance::default()
+        };
         IndexedMesh { groups: self.groups, appearance, ..assemble(self.tables, &self.corners) }
     }
+}
+
+/// Returns a statement as it should be written, if it is one in capitals.
+#[cold]
+fn in_lower_case(word: &[u8]) -> Option<&'static [u8]> {
+    const STATEMENTS: [&[u8]; 9] = [b"v", b"vt", b"vn", b"f", b"fo", b"o", b"g", b"usemtl", b"mtllib"];
+    let is_same = |known: &&[u8]| known.eq_ignore_ascii_case(word) && *known != word;
+    STATEMENTS.into_iter().find(|known| is_same(known))
+}
+
+#[inline]
+fn three_numbers(cursor: &mut Cursor<'_>) -> Result<[f32; 3], Fault> {
+    Ok([cursor.f32()?, cursor.f32()?, cursor.f32()?])
+}
+
+#[inline]
+fn three_coordinates(cursor: &mut Cursor<'_>) -> Result<[f32; 3], Fault> {
+    Ok([cursor.coordinate()?, cursor.coordinate()?, cursor.coordinate()?])
+}
+
+#[inline]
+fn texcoord_at(cursor: &mut Cursor<'_>) -> Result<[f32; 2], Fault> {
+    let u = cursor.f32()?;
+    let v = if ends(cursor) { 1.0 } else { cursor.number()?.one_minus_f32() };
+    Ok([u, v])
 }
 
 /// Whether the statement has no more words.

@@ -51,7 +51,19 @@ const IGNORED: [&[u8]; 27] = [
     b"call",
 ];
 
+/// Begins the comment in which our writer keeps where on the Earth a terrain is.
+pub(super) const GEOREFERENCE: &str = "# georeference";
+
 impl ObjReader {
+    /// Reads a comment, which only matters if it is one of our writer.
+    pub(super) fn remark(&mut self, cursor: &mut Cursor<'_>) {
+        if let Some(text) = cursor.rest_of_line().strip_prefix(GEOREFERENCE.as_bytes())
+            && text.trim_ascii_start().starts_with(b"{")
+        {
+            self.georeference = String::from_utf8_lossy(text.trim_ascii()).into_owned();
+        }
+    }
+
     /// Skips a statement that makes no triangle, or that does not exist.
     #[cold]
     pub(super) fn other_statement(&mut self, word: &[u8], cursor: &Cursor<'_>) {
@@ -79,6 +91,26 @@ impl ObjReader {
     pub(super) fn no_polygon(&mut self, corner_count: usize, cursor: &Cursor<'_>) {
         let reason = || format!("a face with {corner_count} corners");
         self.warnings.count(WarningKind::POLYGONS, || Place::Line(cursor.line()), reason);
+    }
+
+    /// Counts a line with a word that is no number, and returns values that are repaired like others that are not
+    /// finite.
+    #[cold]
+    pub(super) fn no_number<const N: usize>(&mut self, fault: Fault) -> [f32; N] {
+        self.warnings.count_fault(WarningKind::WORDS, fault);
+        [f32::NAN; N]
+    }
+
+    /// Decides about a word in the place of an index. Without a position the face is left out.
+    #[cold]
+    pub(super) fn no_index(&mut self, kind: usize, fault: Fault) -> u32 {
+        if kind > 0 {
+            self.warnings.count_fault(MISSING[kind], fault);
+        } else {
+            self.warnings.count_fault(WarningKind::POLYGONS, fault);
+            self.has_bad_corner = true;
+        }
+        NONE
     }
 
     /// Decides about an index that is not defined so far: `(kind, index as written, index from 0)`.

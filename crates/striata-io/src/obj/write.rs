@@ -8,6 +8,7 @@ use std::path::Path;
 use striata::mesh::{AttributeLayer, IndexedMesh, Material, Semantic};
 
 use super::mtl_write;
+use super::remarks::GEOREFERENCE;
 use crate::error::Place;
 use crate::image_files::ImageFiles;
 use crate::report::{Warnings, shortened};
@@ -30,7 +31,7 @@ pub(crate) fn to_bytes(
     let mut out = Vec::with_capacity(mesh.positions.len() * 40 + mesh.triangles.len() * 24);
     let names = material_names(mesh);
     if !mesh.appearance.georeference.is_empty() {
-        push_line(&mut out, "# georeference", &mesh.appearance.georeference);
+        push_line(&mut out, GEOREFERENCE, &mesh.appearance.georeference);
     }
     for library in libraries(mesh, path, &names, images, warnings) {
         push_line(&mut out, "mtllib", &library);

@@ -36,6 +36,8 @@ pub use several::{Several, open_several};
 pub use terrain::{Terrain, is_raster};
 pub use tiles::Tiles;
 
+use std::path::PathBuf;
+
 use serde::{Deserialize, Serialize};
 use striata::mesh::{Appearance, AttributeLayer, Semantic};
 
@@ -104,7 +106,9 @@ pub struct PieceSummary {
     pub triangle_count: u64,
     /// Total size of the files, in bytes.
     pub byte_count: u64,
-    /// Georeference of a terrain: a JSON object, stored as it is.
+    /// Other files that the pieces are read from, such as the buffers of glTF.
+    pub companions: Vec<PathBuf>,
+    /// Georeference of a raster: a JSON object, stored as it is. That of a mesh file is in its appearance.
     pub georeference: Option<serde_json::Value>,
     /// Remarks on what was left out, such as missing textures.
     pub warnings: Vec<Warning>,

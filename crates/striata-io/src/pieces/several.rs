@@ -89,6 +89,7 @@ impl Several {
         for (source, name) in sources {
             let first_group = summary.groups.len() as u32;
             let layers = add(&mut summary, source.summary(), &name);
+            summary.companions.extend_from_slice(&source.summary().companions);
             let piece_count = source.piece_count();
             inputs.push(InputPart { source, first_piece, first_group, layers });
             first_piece += piece_count;

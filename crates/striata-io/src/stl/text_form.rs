@@ -2,7 +2,7 @@
 //! after `#`.
 //!
 //! The normal of a facet is not used, and some writers put invalid numbers there. Lines that mean nothing are
-//! skipped and counted. A facet that is cut off, or in which a vertex is missing a number, is an error.
+//! skipped and counted; so are facets with a vertex that lacks a number. A facet that is cut off is an error.
 
 use striata::mesh::{IndexedMesh, TriangleGroup, origin_of, relative_position};
 
@@ -34,6 +34,9 @@ enum Keyword {
     Other,
 }
 
+/// Number of words of the name of a solid after which no facet is expected in its line.
+const LONGEST_NAME: usize = 32;
+
 /// Keywords in the order of their frequency.
 const KEYWORDS: [(&[u8], Keyword); 9] = [
     (b"vertex", Keyword::Vertex),
@@ -64,7 +67,7 @@ pub(crate) fn visit_ascii(
         let word = cursor.word();
         match keyword(word, &mut cursor) {
             Keyword::Solid => {
-                let name = String::from_utf8_lossy(cursor.rest_of_line()).into_owned();
+                let name = solid_name(&mut cursor);
                 visit(Statement::Solid(name), &cursor)?;
                 (in_solid, has_content) = (true, true);
             }
@@ -89,6 +92,24 @@ pub(crate) fn visit_ascii(
         warnings.push(Place::Line(cursor.line()), "the file ends before `endsolid`");
     }
     Ok(cursor.has_long_coordinates())
+}
+
+/// Reads the name of a solid: the rest of the line, or what precedes its first facet in that line.
+fn solid_name(cursor: &mut Cursor<'_>) -> String {
+    let mut ahead = cursor.clone();
+    let mut name = Vec::new();
+    loop {
+        let before = ahead.clone();
+        let word = ahead.word();
+        if word.is_empty() || name.len() == LONGEST_NAME {
+            return String::from_utf8_lossy(cursor.rest_of_line()).into_owned();
+        }
+        if word.eq_ignore_ascii_case(b"facet") && ahead.word().eq_ignore_ascii_case(b"normal") {
+            *cursor = before;
+            return String::from_utf8_lossy(&name.join(&b' ')).into_owned();
+        }
+        name.push(word);
+    }
 }
 
 /// Returns the meaning of a word; reads the second word of `end loop`, `end facet` and `end solid`.
@@ -126,6 +147,16 @@ fn skip_line(word: &[u8], cursor: &mut Cursor<'_>, warnings: &mut Warnings) {
     cursor.rest_of_line();
 }
 
+/// Reads the coordinates of a corner; one that is no number is not finite, so that its triangles are left out.
+fn coordinates(cursor: &mut Cursor<'_>, warnings: &mut Warnings) -> [f64; 3] {
+    [(); 3].map(|()| {
+        cursor.long_coordinate().unwrap_or_else(|fault| {
+            warnings.count_fault(WarningKind::WORDS, fault);
+            f64::NAN
+        })
+    })
+}
+
 /// Reads the corners of a facet after the word `facet`. Most have three; others are left out, or are polygons.
 fn read_facet(
     cursor: &mut Cursor<'_>,
@@ -141,11 +172,7 @@ fn read_facet(
         }
         let word = cursor.word();
         match keyword(word, cursor) {
-            Keyword::Vertex => polygon.push([
-                cursor.long_coordinate()?,
-                cursor.long_coordinate()?,
-                cursor.long_coordinate()?,
-            ]),
+            Keyword::Vertex => polygon.push(coordinates(cursor, warnings)),
             Keyword::Normal => (0..3).for_each(|_| {
                 cursor.word();
             }),

@@ -1,6 +1,6 @@
 //! Inputs of a build: files, or generated data.
 
-use std::fs::File;
+use std::fs::{File, Metadata};
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::time::UNIX_EPOCH;
@@ -34,30 +34,57 @@ pub(super) struct InputState {
     bytes: u64,
     /// Time of the last change, in nanoseconds since 1970; `None` if the system does not say.
     modified: Option<u64>,
+    /// Time of the last change of the entry, in nanoseconds, which programs cannot set; `None` if the system has
+    /// none.
+    #[serde(default)]
+    changed: Option<i64>,
     /// CRC-32 of the content.
     checksum: u32,
 }
 
 impl InputState {
     fn of(path: &Path) -> Result<Self, PagedBuildError> {
-        let (bytes, modified) = size_and_time(path)?;
-        Ok(Self { path: path.to_owned(), bytes, modified, checksum: checksum_of(path)? })
+        let FileTimes { bytes, modified, changed } = FileTimes::of(path)?;
+        Ok(Self { path: path.to_owned(), bytes, modified, changed, checksum: checksum_of(path)? })
     }
 
-    /// Checks that the file has not changed. Its contents are only read if the time differs, as for a copy on
-    /// another machine.
+    /// Compares the file with what it was. Its contents are only read if a time differs, as those of a copy on
+    /// another machine do. Copies that keep the time of their content differ in the other one.
     fn check(&self) -> Result<(), PagedBuildError> {
-        let (bytes, modified) = size_and_time(&self.path)?;
-        let is_same = bytes == self.bytes
-            && (modified.is_some() && modified == self.modified || checksum_of(&self.path)? == self.checksum);
+        let found = FileTimes::of(&self.path)?;
+        let is_untouched =
+            found.modified.is_some() && found.modified == self.modified && found.changed == self.changed;
+        let is_same =
+            found.bytes == self.bytes && (is_untouched || checksum_of(&self.path)? == self.checksum);
         if is_same { Ok(()) } else { Err(PagedBuildError::InputChanged { path: self.path.clone() }) }
     }
 }
 
-fn size_and_time(path: &Path) -> Result<(u64, Option<u64>), PagedBuildError> {
-    let metadata = std::fs::metadata(path).map_err(|source| PagedBuildError::io(path, source))?;
-    let modified = metadata.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
-    Ok((metadata.len(), modified.and_then(|time| u64::try_from(time.as_nanos()).ok())))
+/// What the system knows about a file.
+struct FileTimes {
+    bytes: u64,
+    modified: Option<u64>,
+    changed: Option<i64>,
+}
+
+impl FileTimes {
+    fn of(path: &Path) -> Result<Self, PagedBuildError> {
+        let metadata = std::fs::metadata(path).map_err(|source| PagedBuildError::io(path, source))?;
+        let modified = metadata.modified().ok().and_then(|time| time.duration_since(UNIX_EPOCH).ok());
+        let modified = modified.and_then(|time| u64::try_from(time.as_nanos()).ok());
+        Ok(Self { bytes: metadata.len(), modified, changed: changed(&metadata) })
+    }
+}
+
+#[cfg(unix)]
+fn changed(metadata: &Metadata) -> Option<i64> {
+    use std::os::unix::fs::MetadataExt as _;
+    metadata.ctime().checked_mul(1_000_000_000)?.checked_add(metadata.ctime_nsec())
+}
+
+#[cfg(not(unix))]
+fn changed(_metadata: &Metadata) -> Option<i64> {
+    None
 }
 
 fn checksum_of(path: &Path) -> Result<u32, PagedBuildError> {
@@ -77,11 +104,16 @@ pub(super) fn check_inputs(states: &[InputState]) -> Result<(), PagedBuildError>
     states.iter().try_for_each(InputState::check)
 }
 
+/// Some files as they are now.
+pub(super) fn states_of(paths: &[PathBuf]) -> Result<Vec<InputState>, PagedBuildError> {
+    paths.iter().map(|path| InputState::of(path)).collect()
+}
+
 impl BuildInput {
-    /// The files that are named, as they are now, without the files that they refer to.
+    /// The files that are named, as they are now; those that they refer to are known once they are open.
     pub(super) fn states(&self) -> Result<Vec<InputState>, PagedBuildError> {
         match self {
-            Self::Files(paths) => paths.iter().map(|path| InputState::of(path)).collect(),
+            Self::Files(paths) => states_of(paths),
             Self::Tiles { path, .. } => Ok(vec![InputState::of(path)?]),
             Self::Terrain(_) => Ok(Vec::new()),
         }

@@ -84,8 +84,9 @@ impl PagedPlan {
         // Report an output that cannot be written before hours of work, not after them.
         finish_task::ResultDestination::of(output)?.check()?;
         fs::create_dir_all(folder).map_err(|source| PagedBuildError::io(folder, source))?;
-        let inputs = input.states()?;
+        let mut inputs = input.states()?;
         let source = input.open(&options.piece_options(folder))?;
+        inputs.extend(input::states_of(&source.summary().companions)?);
         let scanned = scan::scan(source.as_ref(), &options, threads, progress)?;
         input::check_inputs(&inputs)?;
         let mut plan = Self::new(input, inputs, options, scanned, paths);

@@ -142,7 +142,10 @@ fn describe(source: &dyn PieceSource, options: &BuildOptions, total: &PieceScan)
             .collect(),
         groups,
         appearance: appearance(source),
-        georeference: summary.georeference.clone(),
+        georeference: summary
+            .georeference
+            .clone()
+            .or_else(|| serde_json::from_str(&summary.appearance.georeference).ok()),
         options: stored_options(options),
         ..Metadata::default()
     };

@@ -4,7 +4,8 @@
 //! computed in f64. Boxes are enlarged, and search limits raised, by more than f32 rounds, so no box that
 //! contains a nearer triangle is ever skipped: the result is the exact minimum, the same on every machine.
 //! The boxes use a frame in which the mesh spans -1..1, while the triangles keep their own coordinates, so
-//! nothing is lost for coordinates around 1e7 or 1e-7.
+//! nothing is lost for coordinates around 1e7 or 1e-7. If a few triangles are very far from the others, the
+//! others span -1..1, because they would be a single point otherwise, and each query would compare all of them.
 //!
 //! Cost: O(n log n) to build, O(log n) expected per query near the surface; about 70 bytes per triangle.
 
@@ -13,8 +14,8 @@ use glam::{DVec3, Vec3A};
 use super::box_tree::{AxisBox, BoxTree};
 use super::{IndexedMesh, MeshError};
 
-/// Margin added to every box on all sides, in a frame in which the mesh spans -1..1; f32 rounds by 6e-8
-/// there.
+/// Margin added to every box on all sides, in a frame in which the mesh spans -1..1, where f32 rounds by 6e-8;
+/// relative to the coordinate outside.
 const BOX_MARGIN: f32 = 1e-6;
 
 /// Factor on search limits, which covers the rounding of f32 for points far away.
@@ -22,6 +23,15 @@ const COST_MARGIN: f64 = 1.0 + 2e-6;
 
 /// Distance in half extents beyond which the mesh is a single point in f64.
 const FAR: f64 = 1e17;
+
+/// How many times larger the mesh must be than most of its triangles, so that those define the frame.
+const STRETCHED: f64 = 1e3;
+
+/// Largest extent of a mesh in the frame, so that squares are finite in f32.
+const MAX_EXTENT: f64 = 1e12;
+
+/// Number of triangles that are examined to find out where most of them are.
+const SAMPLES: usize = 1 << 10;
 
 /// The triangle nearest to a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +59,8 @@ pub struct TriangleTree {
     center: DVec3,
     /// Frame units per mesh unit.
     scale: f64,
+    /// Whether the mesh spans more than -1..1 in the frame.
+    is_stretched: bool,
 }
 
 impl TriangleTree {
@@ -69,7 +81,13 @@ impl TriangleTree {
         let half_extent = 0.5 * (max - min).max_element();
         let center = if corners.is_empty() { DVec3::ZERO } else { 0.5 * (min + max) };
         let scale = if half_extent > 0.0 { half_extent.recip() } else { 1.0 };
-        let mut tree = Self { boxes: BoxTree::default(), corners, center, scale };
+        let mut tree = Self { boxes: BoxTree::default(), corners, center, scale, is_stretched: false };
+        if let Some((center, bulk)) = bulk_of(&tree.corners)
+            && half_extent > STRETCHED * bulk
+        {
+            let scale = bulk.max(half_extent / MAX_EXTENT).recip();
+            tree = Self { center, scale, is_stretched: true, ..tree };
+        }
         tree.boxes = BoxTree::new(&tree.boxes_of_corners());
         tree
     }
@@ -128,6 +146,9 @@ impl TriangleTree {
         let point = DVec3::from_array(point);
         let in_frame = (point - self.center) * self.scale;
         let is_far = in_frame.abs().max_element() > FAR;
+        if is_far && self.is_stretched {
+            return self.distance_to_all(point, triangle);
+        }
         if is_far || *triangle >= self.corners.len() {
             *triangle = 0;
         }
@@ -150,6 +171,15 @@ impl TriangleTree {
             });
         }
         squared.sqrt()
+    }
+
+    /// Distance to the nearest of all triangles, without boxes.
+    #[cold]
+    fn distance_to_all(&self, point: DVec3, triangle: &mut usize) -> f64 {
+        let distances = self.corners.iter().map(|corners| squared_distance_to_triangle(point, corners));
+        let nearest = distances.enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+        *triangle = nearest.map_or(usize::MAX, |(index, _)| index);
+        nearest.map_or(f64::INFINITY, |(_, squared)| squared.sqrt())
     }
 
     /// Visits the triangles within `reach` of a finite point, roughly from near to far, with their
@@ -177,9 +207,26 @@ impl TriangleTree {
 
     fn box_of(&self, corners: &[[f32; 3]; 3]) -> AxisBox {
         let [a, b, c] = corners.map(|corner| ((to_dvec3(corner) - self.center) * self.scale).as_vec3a());
-        let margin = Vec3A::splat(BOX_MARGIN);
-        AxisBox { min: a.min(b).min(c) - margin, max: a.max(b).max(c) + margin }
+        let (min, max) = (a.min(b).min(c), a.max(b).max(c));
+        let margin = |corner: Vec3A| corner.abs().max(Vec3A::ONE) * BOX_MARGIN;
+        AxisBox { min: min - margin(min), max: max + margin(max) }
     }
+}
+
+/// Returns the center and the half extent of most triangles; [`None`] for a few triangles.
+fn bulk_of(corners: &[[[f32; 3]; 3]]) -> Option<(DVec3, f64)> {
+    let samples = corners.iter().step_by(corners.len().div_ceil(SAMPLES).max(1));
+    let bounds = [0, 1, 2].map(|axis| {
+        let mut values: Vec<f32> = samples.clone().map(|corners| corners[0][axis]).collect();
+        values.sort_unstable_by(f32::total_cmp);
+        let tail = values.len() / 16;
+        let last = values.len().checked_sub(1 + tail)?;
+        (tail > 0).then(|| (f64::from(values[tail]), f64::from(values[last])))
+    });
+    let [x, y, z] = bounds;
+    let (low, high): (DVec3, DVec3) = (DVec3::new(x?.0, y?.0, z?.0), DVec3::new(x?.1, y?.1, z?.1));
+    let half_extent = 0.5 * (high - low).max_element();
+    (half_extent > 0.0).then_some((0.5 * (low + high), half_extent))
 }
 
 /// Squared distance between a point and a triangle, which may be degenerate.
@@ -279,6 +326,37 @@ mod tests {
             assert_eq!(found.distance, expected);
             let corners = mesh.triangles[found.triangle as usize].map(|v| mesh.positions[v as usize]);
             assert_eq!(distance(p, &corners), expected);
+        }
+    }
+
+    /// Triangles far from all others stretch the frame, which must change no distance.
+    #[test]
+    fn the_tree_of_a_stretched_mesh_agrees_with_brute_force() {
+        let mut random = crate::mesh::Random::new(5);
+        for far in [1e4, 1e7, 1e12, 1e20] {
+            let mut corners: Vec<[[f32; 3]; 3]> = (0..200)
+                .map(|_| {
+                    let center = [(); 3].map(|()| random.between(-1.0, 1.0));
+                    [(); 3].map(|()| center.map(|x| x + random.between(-0.1, 0.1)))
+                })
+                .collect();
+            corners.push([[far, 0.0, 0.0], [far, 1.0, 0.0], [far, 0.0, 0.5 * far]]);
+            let tree = TriangleTree::from_corners(corners.clone());
+            assert!(tree.is_stretched, "{far}");
+            let mut visited = 0;
+            for scale in [1.0, 3.0, far, 1e30] {
+                for _ in 0..50 {
+                    let point = [(); 3].map(|()| f64::from(random.between(-scale, scale)));
+                    let expected = corners.iter().map(|c| distance(point, c)).fold(f64::INFINITY, f64::min);
+                    assert_eq!(tree.distance_to(point), expected, "{far} {point:?}");
+                    tree.visit_within(point, expected, |_, _| {
+                        visited += usize::from(scale == 1.0);
+                        expected
+                    });
+                }
+            }
+            // Boxes that are points would let each query visit all triangles.
+            assert!(far > 1e12 || visited < 50 * 20, "{far}: {visited}");
         }
     }
 

@@ -20,7 +20,7 @@ use striata_command::failure::Failure;
 use striata_command::fan_cover::cover_with_fans;
 use striata_command::input::Input;
 use striata_command::output::Output;
-use striata_command::save::{LevelFiles, Primitives};
+use striata_command::save::{LevelFiles, Primitives, georeference_of};
 use striata_command::stream::{cut_off_text, effort_name};
 
 /// The models of a .striata file.
@@ -94,7 +94,8 @@ impl<'a> LevelSource for FileSource<'a> {
         files.write(&found.shape, primitives_of(self.form, &found.shape, self.levels.strips())?, path)
     }
 
-    fn describe(&mut self, _found: &FoundLevel<IndexedMesh>, details: &mut LevelDetails) {
+    fn describe(&mut self, found: &FoundLevel<IndexedMesh>, details: &mut LevelDetails) {
+        details.georeference = georeference_of(&found.shape);
         if !details.is_varying {
             details.model = self.levels.kind().map(ModelKind::as_str);
             return;
@@ -171,6 +172,7 @@ impl<'a> LevelSource for StreamSource<'a> {
     }
 
     fn describe(&mut self, found: &FoundLevel<IndexedMesh>, details: &mut LevelDetails) {
+        details.georeference = georeference_of(&found.shape);
         let (info, decoder) = (self.levels.info(), self.levels.decoder());
         details.model = Some(ModelKind::Progressive.as_str());
         details.stream = Some(StreamRead {
@@ -229,7 +231,8 @@ impl LevelSource for PagedSource {
         files.write(&found.shape, primitives_of(self.form, &found.shape, None)?, path)
     }
 
-    fn describe(&mut self, _found: &FoundLevel<IndexedMesh>, details: &mut LevelDetails) {
+    fn describe(&mut self, found: &FoundLevel<IndexedMesh>, details: &mut LevelDetails) {
+        details.georeference = georeference_of(&found.shape);
         let (statistics, shown) = (self.file.statistics(), self.file.shown_pages());
         details.model = Some(ModelKind::Fans.as_str());
         details.step_count = Some(shown.step_count);

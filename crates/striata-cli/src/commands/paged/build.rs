@@ -35,6 +35,9 @@ struct PagedBuildReport {
     seconds: f64,
     triangles_per_second: f64,
     resumed: bool,
+    /// Where on the Earth a terrain is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    georeference: Option<serde_json::Value>,
 }
 
 /// Builds a paged file from inputs that are one mesh.
@@ -113,6 +116,7 @@ pub(crate) fn build(
         seconds,
         triangles_per_second: triangles as f64 / seconds,
         resumed,
+        georeference: plan.metadata.georeference.clone(),
     };
     let shortfall = report.shortfall.as_ref().map(|why| format!("--base was not reached: {why}\n"));
     let text = format!(

@@ -25,6 +25,9 @@ struct PlanReport {
     work_bytes: u64,
     result_bytes: u64,
     simulations: Vec<Simulation>,
+    /// Where on the Earth a terrain is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    georeference: Option<serde_json::Value>,
 }
 
 /// Plans a build.
@@ -63,6 +66,7 @@ pub(crate) fn plan(args: &PlanArgs, output: &Output) -> Result<(), Failure> {
         work_bytes: estimate.work_bytes,
         result_bytes: estimate.result_bytes,
         simulations: args.workers.iter().map(|&n| plan.simulate(&SimulationOptions::new(n))).collect(),
+        georeference: plan.metadata.georeference.clone(),
     };
     output.summary(&report, &text(&report))
 }

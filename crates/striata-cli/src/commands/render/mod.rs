@@ -45,6 +45,7 @@ pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
         return draw(args, (&source, figures), (output, bar, started));
     }
     let input = open_input(&args.input, paged_triangle_limit(args))?;
+    let input = input.with_nodata(args.raster.nodata)?;
     let mut source = PictureSource::read(args, &input, output, &mut bar)?;
     if is_paged_file(&args.input) {
         source = source.of_pages(page_limits(args)?);

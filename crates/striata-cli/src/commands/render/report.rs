@@ -11,6 +11,7 @@ use super::source::PictureSource;
 use crate::args::RenderArgs;
 use striata_command::level::shortfall_note;
 use striata_command::output::{format_duration, format_length, format_noun_count};
+use striata_command::save::georeference_of;
 use striata_viewer::picture::PictureRenderer;
 
 /// Report on a picture.
@@ -27,6 +28,9 @@ pub(super) struct RenderReport {
     levels: Vec<Level>,
     #[serde(skip_serializing_if = "Option::is_none")]
     heat: Option<HeatReport>,
+    /// Where on the Earth a terrain is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    georeference: Option<serde_json::Value>,
     secs: f64,
 }
 
@@ -106,6 +110,7 @@ impl RenderReport {
                 top_of_diagonal: if diagonal > 0.0 { layout.heat_top / diagonal } else { 0.0 },
             }),
             levels,
+            georeference: georeference_of(source.mesh()),
             secs: started.elapsed().as_secs_f64(),
         }
     }

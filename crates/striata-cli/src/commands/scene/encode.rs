@@ -67,7 +67,9 @@ pub(in crate::commands) fn encode(
     let mut bar = output.bar();
     phases.enter("read");
     bar.phase("read");
-    let scene = if args.scene.flat { flat_scene(input, output)? } else { input.scene(output)? };
+    let is_mesh = args.scene.flat || input.scene_kind().is_none();
+    let scene =
+        if is_mesh { flat_scene(input, &display_name(path), output)? } else { input.scene(output)? };
     let scene = edited(scene, &args.edits, true, output)?;
     let scene = with_textures(scene, args.textures.options().as_ref(), output)?;
     phases.enter("encode");

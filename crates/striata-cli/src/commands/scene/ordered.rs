@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, format_bytes};
-use striata_io::{Format, Scene, shaded};
+use striata_io::{Format, Scene, losses, lost_group_names, shaded};
 use striata_scene::{LodScene, OrderedGlb};
 
 use crate::args::BuildArgs;
@@ -71,6 +71,8 @@ pub(super) fn ordered_input(input: &Input, args: &BuildArgs, output: &Output) ->
         return input.scene(output);
     }
     let mesh = input.mesh(output)?;
+    output.warn_of_losses(&losses(Format::Glb, &mesh, &input.name));
+    output.warn_of_losses(&lost_group_names(&mesh, &input.name));
     let failed = |error| Failure::user(format!("{}: {error}", input.name));
     mesh.check().map_err(|error| Failure::from(error).in_file(&input.name))?;
     Scene::from_mesh(shaded(&mesh).into_owned()).map_err(failed)

@@ -23,7 +23,7 @@ use super::input::PieceInput;
 use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::color_space::set_linear;
 use crate::error::{Fault, Place};
-use crate::gltf::parts::{SharedCache, appearance, check_triangles, left_out};
+use crate::gltf::parts::{GltfDocument, SharedCache, appearance, check_triangles, left_out};
 use crate::report::Warnings;
 use crate::{Format, ReadError};
 
@@ -50,6 +50,7 @@ impl GltfPieces {
         let outline = SceneOutline::of(&opened, piece_size);
         let read = outline.and_then(|mut outline| {
             let document = opened.document()?;
+            check_streams(&document)?;
             let origin = outline.move_to_origin(&document, options.origin)?;
             let appearance = appearance(&document, &mut warnings)?;
             check_triangles(&document, outline.triangle_count == 0)?;
@@ -73,6 +74,7 @@ impl GltfPieces {
             appearance,
             triangle_count: outline.triangle_count,
             byte_count: opened.byte_count(),
+            companions: opened.buffer_files().to_vec(),
             georeference: None,
             warnings: warnings.into_list(),
         };
@@ -104,6 +106,16 @@ impl GltfPieces {
         }
         Ok(Piece { positions, layers, triangles, groups, ..Piece::default() })
     }
+}
+
+/// Refuses a file whose triangles are only a coarse level.
+fn check_streams(document: &GltfDocument<'_>) -> Result<(), Fault> {
+    let meshes = document.root.entries("meshes")?;
+    if meshes.iter().any(|mesh| mesh.value.pointer("/extensions/STRIATA_lod").is_some()) {
+        let what = "in pieces, a file with streams of finer levels (`striata decode` makes one without)";
+        return Err(Fault::Unsupported(Place::File, what.to_owned()));
+    }
+    Ok(())
 }
 
 impl PieceSource for GltfPieces {

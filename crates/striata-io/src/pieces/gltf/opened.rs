@@ -1,6 +1,7 @@
 //! Document whose buffers are mapped into memory.
 
 use std::ops::Range;
+use std::path::PathBuf;
 
 use serde_json::Value;
 
@@ -57,6 +58,11 @@ impl OpenedDocument {
     /// Size of the file and of the files of its buffers.
     pub(super) fn byte_count(&self) -> u64 {
         self.input.file_bytes + self.buffers.file_bytes()
+    }
+
+    /// Paths of the files of its buffers.
+    pub(super) fn buffer_files(&self) -> &[PathBuf] {
+        self.buffers.files()
     }
 
     /// Creates a document for one thread, which shares what it decompresses with others.

@@ -24,6 +24,9 @@ const GDAL_METADATA: Tag = Tag::Unknown(42_112);
 /// Larger heights stand for none in files that do not name a value for that, such as -3.4e38.
 const LARGEST_HEIGHT: f32 = 1e30;
 
+/// Number of different values beyond that which stand for no height.
+const MAX_SENTINELS: usize = 2;
+
 /// A GeoTIFF file.
 pub(super) struct GeoTiff {
     name: String,
@@ -45,6 +48,8 @@ struct State {
     decoder: Decoder<BufReader<File>>,
     /// Decoded chunks, the last used first.
     chunks: VecDeque<(u32, Arc<TiffChunk>)>,
+    /// Samples found so far that are too large for heights, and taken for none.
+    sentinels: Vec<f32>,
 }
 
 struct TiffChunk {
@@ -88,8 +93,25 @@ impl GeoTiff {
             size,
             chunk,
             placement,
-            state: Mutex::new(State { decoder, chunks: VecDeque::new() }),
+            state: Mutex::new(State { decoder, chunks: VecDeque::new(), sentinels: Vec::new() }),
         })
+    }
+
+    /// Takes a sample that is too large for a height for none. Programs write one or two such values; more of
+    /// them are damage.
+    fn sentinels_with(&self, value: f32, [column, row]: [u64; 2]) -> Result<Vec<f32>, ReadError> {
+        let failed = || malformed(&self.name, "another thread failed while it read the file");
+        let known = &mut self.state.lock().map_err(|_| failed())?.sentinels;
+        let is_named = self.nodata.iter().flatten().any(|&named| named as f32 == value);
+        if !is_named && !known.contains(&value) {
+            if known.len() == MAX_SENTINELS {
+                let reason =
+                    format!("the sample in column {column}, row {row} is {value:e}, which is no height");
+                return Err(malformed(&self.name, reason));
+            }
+            known.push(value);
+        }
+        Ok(known.iter().copied().chain(is_named.then_some(value)).collect())
     }
 
     /// A decoded strip or tile.
@@ -196,6 +218,7 @@ impl Raster for GeoTiff {
 
     fn read(&self, at: [u64; 2], [width, height]: [u64; 2]) -> Result<Vec<f32>, ReadError> {
         let mut heights = vec![f32::NAN; (width * height) as usize];
+        let mut sentinels = Vec::new();
         let top = at[1];
         let at = if self.is_from_south { [at[0], self.size[1] - at[1] - height] } else { at };
         let row_of = |y: u64| if self.is_from_south { self.size[1] - 1 - y - top } else { y - top };
@@ -210,10 +233,12 @@ impl Raster for GeoTiff {
                     for x in at[0].max(corner[0])..(at[0] + width).min(corner[0] + chunk.width) {
                         let from = (y - corner[1]) * chunk.width + x - corner[0];
                         let Some(&value) = chunk.values.get(from as usize) else { continue };
-                        let is_void = !value.is_finite()
-                            || value.abs() > LARGEST_HEIGHT
-                            || self.nodata.contains(&Some(f64::from(value)));
-                        if !is_void {
+                        if value.abs() > LARGEST_HEIGHT && value.is_finite() && !sentinels.contains(&value) {
+                            sentinels = self.sentinels_with(value, [x, y])?;
+                        }
+                        // The file may name the sample with more digits than it has.
+                        let is_named = || self.nodata.iter().flatten().any(|&named| named as f32 == value);
+                        if value.abs() <= LARGEST_HEIGHT && !is_named() {
                             let value = f64::from(value) * self.scale[0] + self.scale[1];
                             heights[(row_of(y) * width + x - at[0]) as usize] = value as f32;
                         }

@@ -137,7 +137,8 @@ impl Terrain {
                 for column in 0..count[0] {
                     let target = (from[1] - at[1] + row) * width + from[0] - at[0] + column;
                     let value = block[(row * count[0] + column) as usize];
-                    let is_void = placed.raster.is_raw() && self.nodata == Some(f64::from(value));
+                    let is_void =
+                        placed.raster.is_raw() && self.nodata.is_some_and(|named| named as f32 == value);
                     // The first file that knows a sample counts.
                     if heights[target as usize].is_nan() && !is_void {
                         heights[target as usize] = value;
