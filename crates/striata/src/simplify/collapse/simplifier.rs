@@ -33,18 +33,36 @@ const UNMEASURED: f32 = -1.0;
 /// Number of collapses between two progress reports.
 const REPORT_INTERVAL: u64 = 4096;
 
+/// What is kept of a [`CollapseChoice`] until its turn comes.
+#[derive(Clone, Copy)]
+struct StoredChoice {
+    /// `UNDECIDED` if nothing else here is valid.
+    target: u32,
+    kind: CollapseKind,
+    distance_squared: f32,
+    protrusion_squared: f32,
+    /// Distance of the new fan from the original mesh; `UNMEASURED` if it is known to be small, `NAN` if not yet
+    /// checked.
+    outward: f32,
+}
+
+impl StoredChoice {
+    const NONE: Self = Self {
+        target: UNDECIDED,
+        kind: CollapseKind::Strict,
+        distance_squared: 0.0,
+        protrusion_squared: 0.0,
+        outward: f32::NAN,
+    };
+}
+
 /// Complete state of one simplification.
 pub(in crate::simplify) struct Simplifier<'a> {
     options: &'a SequenceOptions,
     evaluator: CostEvaluator<'a>,
     heap: IndexedHeap,
-    target: Vec<u32>,
-    kind: Vec<CollapseKind>,
-    distance_squared: Vec<f32>,
-    protrusion_squared: Vec<f32>,
-    /// Distance of each choice's new fan from the original mesh; `UNMEASURED` if it is known to be
-    /// small, `NAN` if not yet checked.
-    outward: Vec<f32>,
+    /// The choice of each position.
+    choices: Vec<StoredChoice>,
     schedule: RelaxationSchedule<'a>,
     executor: CollapseExecutor,
 }
@@ -72,11 +90,7 @@ impl<'a> Simplifier<'a> {
             options,
             evaluator,
             heap: IndexedHeap::new(&[]),
-            target: vec![UNDECIDED; position_count],
-            kind: vec![CollapseKind::Strict; position_count],
-            distance_squared: vec![0.0; position_count],
-            protrusion_squared: vec![0.0; position_count],
-            outward: vec![f32::NAN; position_count],
+            choices: vec![StoredChoice::NONE; position_count],
             schedule: RelaxationSchedule::new(welded, options.topology),
             executor,
         }
@@ -88,7 +102,7 @@ impl<'a> Simplifier<'a> {
         mut self,
         progress: &mut ProgressFn<'_>,
     ) -> Result<(CollapseRecord, StopReason), SimplifyError> {
-        let total = self.target.len() as u64;
+        let total = self.choices.len() as u64;
         if self.schedule.is_possible() || self.evaluator.pairs.is_some() {
             self.evaluator.lock_boundary();
         }
@@ -108,21 +122,21 @@ impl<'a> Simplifier<'a> {
             if self.executor.triangle_count <= self.options.base_triangle_count {
                 return Ok((self.executor.record, StopReason::TargetReached));
             }
-            if self.target[v as usize] == UNDECIDED {
+            if self.choices[v as usize].target == UNDECIDED {
                 self.decide(v, key);
                 continue;
             }
-            let (mut v, mut u) = (v, self.target[v as usize]);
+            let (mut v, mut u) = (v, self.choices[v as usize].target);
             if !self.is_still_allowed(v, u) {
                 // The neighborhood of the target has changed: look for another target.
-                self.target[v as usize] = UNDECIDED;
+                self.choices[v as usize].target = UNDECIDED;
                 self.decide(v, key);
                 continue;
             }
             if self.postpone_if_farther(v, u, key) {
                 continue;
             }
-            if self.kind[v as usize] == CollapseKind::Vanish
+            if self.choices[v as usize].kind == CollapseKind::Vanish
                 && let Some((corner, choice)) = self.evaluator.absorbing_collapse(v, u)
             {
                 // The vanishing position is evaluated again after this.
@@ -159,8 +173,8 @@ impl<'a> Simplifier<'a> {
     fn peek(&mut self) -> Option<(f32, u32)> {
         if self.heap.first().is_none() && self.schedule.is_postponed() {
             self.begin_relaxed();
-            for v in 0..self.target.len() as u32 {
-                self.target[v as usize] = UNDECIDED;
+            for v in 0..self.choices.len() as u32 {
+                self.choices[v as usize].target = UNDECIDED;
                 let key = self.evaluator.provisional_cost(v);
                 self.heap.set(v, key);
             }
@@ -202,15 +216,16 @@ impl<'a> Simplifier<'a> {
     /// original mesh than anything so far, and returns whether it did. Its cost only includes the
     /// distance from the current mesh. This is done once for each choice.
     fn postpone_if_farther(&mut self, v: u32, u: u32, key: f32) -> bool {
-        let is_open = self.kind[v as usize] == CollapseKind::Strict && self.outward[v as usize].is_nan();
+        let is_open = self.choices[v as usize].kind == CollapseKind::Strict
+            && self.choices[v as usize].outward.is_nan();
         if !is_open || !self.evaluator.measures_outward() {
             return false;
         }
         let worst = self.executor.worst_squared();
-        let protrusion = self.protrusion_squared[v as usize];
+        let protrusion = self.choices[v as usize].protrusion_squared;
         let outward = self.evaluator.outward_distance_before(v, u, protrusion, worst).unwrap_or(UNMEASURED);
-        self.outward[v as usize] = outward;
-        let own = self.distance_squared[v as usize];
+        self.choices[v as usize].outward = outward;
+        let own = self.choices[v as usize].distance_squared;
         let inward = self.executor.witness_distance_before(&mut self.evaluator, v, u, own).unwrap_or(0.0);
         let ahead = inward.max(outward.max(0.0) * outward);
         if ahead > worst {
@@ -236,24 +251,25 @@ impl<'a> Simplifier<'a> {
 
     /// Stores the choice for `v`.
     fn choose(&mut self, v: u32, choice: &CollapseChoice) {
-        let v = v as usize;
-        self.target[v] = choice.target;
-        self.kind[v] = choice.kind;
-        self.distance_squared[v] = choice.distance_squared;
-        self.protrusion_squared[v] = choice.protrusion_squared;
-        self.outward[v] = f32::NAN;
+        self.choices[v as usize] = StoredChoice {
+            target: choice.target,
+            kind: choice.kind,
+            distance_squared: choice.distance_squared,
+            protrusion_squared: choice.protrusion_squared,
+            outward: f32::NAN,
+        };
     }
 
     /// Returns the stored choice for `v`.
     fn choice(&self, v: u32) -> CollapseChoice {
-        let v = v as usize;
+        let stored = self.choices[v as usize];
         CollapseChoice {
             cost: 0.0,
-            target: self.target[v],
-            kind: self.kind[v],
-            distance_squared: self.distance_squared[v],
-            protrusion_squared: self.protrusion_squared[v],
-            outward: Some(self.outward[v]).filter(|&outward| outward >= 0.0),
+            target: stored.target,
+            kind: stored.kind,
+            distance_squared: stored.distance_squared,
+            protrusion_squared: stored.protrusion_squared,
+            outward: Some(stored.outward).filter(|&outward| outward >= 0.0),
         }
     }
 
@@ -270,7 +286,7 @@ impl<'a> Simplifier<'a> {
     fn update_neighbors(&mut self, u: u32) {
         let ring = std::mem::take(&mut self.executor.ring);
         for &w in &ring {
-            self.target[w as usize] = UNDECIDED;
+            self.choices[w as usize].target = UNDECIDED;
             let key = self.evaluator.provisional_cost(w);
             self.heap.set(w, key);
         }
@@ -278,14 +294,14 @@ impl<'a> Simplifier<'a> {
         if matches!(self.evaluator.history, CostHistory::Accumulated(_)) {
             // The quadric of u has grown, so collapsing to it now costs more than the stored cost.
             for &w in self.evaluator.links.entries(u) {
-                if self.target[w as usize] == u {
-                    self.target[w as usize] = UNDECIDED;
+                if self.choices[w as usize].target == u {
+                    self.choices[w as usize].target = UNDECIDED;
                 }
             }
         }
         if !self.executor.ring.contains(&u) {
             // A contraction of two parts: u was not a neighbor of v.
-            self.target[u as usize] = UNDECIDED;
+            self.choices[u as usize].target = UNDECIDED;
             let key = self.evaluator.provisional_cost(u);
             self.heap.set(u, key);
         }
