@@ -22,8 +22,10 @@ use super::cost_evaluator::{CostEvaluator, CostHistory};
 use super::executor::CollapseExecutor;
 use super::heap::IndexedHeap;
 use super::links::LinkKind;
+use super::part_order::PartOrder;
 use super::refinement_order::{CollapseRecord, StepCost};
 use super::relaxation_schedule::RelaxationSchedule;
+use super::witness::Witnesses;
 use crate::simplify::options::{SequenceOptions, SimplifyError, StopReason};
 
 /// No target chosen yet: the key in the heap is a provisional cost.
@@ -65,6 +67,17 @@ pub(in crate::simplify) struct Simplifier<'a> {
     choices: Vec<StoredChoice>,
     schedule: RelaxationSchedule<'a>,
     executor: CollapseExecutor,
+    /// The order of the steps among those of other parts, if the mesh is a part of a level.
+    order: Option<PartOrder>,
+}
+
+/// Result of [`Simplifier::run_part`].
+pub(in crate::simplify) struct SimplifiedPart {
+    /// The errors are what each step contributes: its own one if that is the largest so far in the part, or 0.
+    pub record: CollapseRecord,
+    pub stop_reason: StopReason,
+    pub order: PartOrder,
+    pub witnesses: Witnesses,
 }
 
 impl<'a> Simplifier<'a> {
@@ -77,6 +90,27 @@ impl<'a> Simplifier<'a> {
         let mut evaluator = CostEvaluator::with_scale(welded, options, scale);
         evaluator.is_cell = true;
         Self::with_evaluator(welded, options, evaluator)
+    }
+
+    /// Creates a simplifier for a part of a level, to be [run as such](Self::run_part). The mesh diagonal is `scale`
+    /// mesh units; `latest` are keys as in [`PartOrder`]. A cut part has locked positions where it was cut.
+    pub(in crate::simplify) fn of_part(
+        welded: &'a Welded,
+        options: &'a SequenceOptions,
+        scale: f64,
+        is_cut: bool,
+        latest: Vec<f32>,
+    ) -> Self {
+        let mut evaluator = CostEvaluator::with_scale(welded, options, scale);
+        evaluator.is_cell = is_cut;
+        let mut simplifier = Self::with_evaluator(welded, options, evaluator);
+        simplifier.order = Some(PartOrder::new(latest));
+        simplifier
+    }
+
+    /// The witnesses, to add those of finer levels.
+    pub(in crate::simplify) fn witnesses_mut(&mut self) -> &mut Witnesses {
+        &mut self.executor.witnesses
     }
 
     fn with_evaluator(
@@ -93,6 +127,7 @@ impl<'a> Simplifier<'a> {
             choices: vec![StoredChoice::NONE; position_count],
             schedule: RelaxationSchedule::new(welded, options.topology),
             executor,
+            order: None,
         }
     }
 
@@ -102,25 +137,29 @@ impl<'a> Simplifier<'a> {
         mut self,
         progress: &mut ProgressFn<'_>,
     ) -> Result<(CollapseRecord, StopReason), SimplifyError> {
+        let stop_reason = self.collapse_all(progress)?;
+        Ok((self.executor.record, stop_reason))
+    }
+
+    /// Simplifies a part of a level. It ends with the first step that exceeds the error limit.
+    pub(in crate::simplify) fn run_part(
+        mut self,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<SimplifiedPart, SimplifyError> {
+        let stop_reason = self.collapse_all(progress)?;
+        let CollapseExecutor { record, witnesses, .. } = self.executor;
+        Ok(SimplifiedPart { record, stop_reason, order: self.order.unwrap_or_default(), witnesses })
+    }
+
+    fn collapse_all(&mut self, progress: &mut ProgressFn<'_>) -> Result<StopReason, SimplifyError> {
+        self.fill_queue();
         let total = self.choices.len() as u64;
-        if self.schedule.is_possible() || self.evaluator.pairs.is_some() {
-            self.evaluator.lock_boundary();
-        }
-        if self.evaluator.pairs.is_some() || (self.schedule.is_possible() && self.evaluator.wedges.is_some())
-        {
-            // Even strict collapses may remove whole parts, or move the surface farther than their
-            // stars show.
-            self.begin_relaxed();
-        }
-        let keys: Vec<f32> = (0..total as u32).map(|v| self.evaluator.provisional_cost(v)).collect();
-        self.heap = IndexedHeap::new(&keys);
-        drop(keys);
         let limit = self.options.max_error.unwrap_or(f64::INFINITY);
         let mut error = 0.0f32;
         let mut collapse_count = 0u64;
         while let Some((key, v)) = self.peek() {
             if self.executor.triangle_count <= self.options.base_triangle_count {
-                return Ok((self.executor.record, StopReason::TargetReached));
+                return Ok(StopReason::TargetReached);
             }
             if self.choices[v as usize].target == UNDECIDED {
                 self.decide(v, key);
@@ -148,24 +187,53 @@ impl<'a> Simplifier<'a> {
                 distance_squared: self.executor.own_squared(&self.evaluator, v, &self.choice(v)),
             };
             // Rounded the way it will be reported, so that the limit applies to the reported value.
+            let known = self.executor.worst_squared();
             let collapse_error = self.collapse(v, u).min(f64::from(f32::MAX)) as f32;
-            if f64::from(collapse_error) > limit {
+            if let Some(order) = &mut self.order {
+                let is_larger = f64::from(collapse_error) > f64::from(known).sqrt() * self.evaluator.scale;
+                order.note(&self.executor, key);
+                let record = &mut self.executor.record;
+                record.errors.push(if is_larger { collapse_error } else { 0.0 });
+                record.errors.resize(record.removed.len(), 0.0);
+                if is_larger && f64::from(collapse_error) > limit {
+                    return Ok(StopReason::ErrorLimit);
+                }
+            } else if f64::from(collapse_error) > limit {
                 self.executor.drop_last();
-                return Ok((self.executor.record, StopReason::ErrorLimit));
-            }
-            error = error.max(collapse_error);
-            let done = self.executor.record.removed.len();
-            self.executor.record.errors.resize(done, error);
-            if self.evaluator.is_cell {
-                self.executor.record.costs.resize(done, cost);
+                return Ok(StopReason::ErrorLimit);
+            } else {
+                error = error.max(collapse_error);
+                let done = self.executor.record.removed.len();
+                self.executor.record.errors.resize(done, error);
+                if self.evaluator.is_cell {
+                    self.executor.record.costs.resize(done, cost);
+                }
             }
             collapse_count += 1;
             if collapse_count.is_multiple_of(REPORT_INTERVAL) {
-                Progress { phase: "simplify", done: done as u64, total }.report(progress)?;
+                let done = self.executor.record.removed.len() as u64;
+                Progress { phase: "simplify", done, total }.report(progress)?;
             }
         }
         let is_met = self.executor.triangle_count <= self.options.base_triangle_count;
-        Ok((self.executor.record, if is_met { StopReason::TargetReached } else { StopReason::BaseReached }))
+        Ok(if is_met { StopReason::TargetReached } else { StopReason::BaseReached })
+    }
+
+    /// Begins, and computes the first key of every position.
+    fn fill_queue(&mut self) {
+        if self.schedule.is_possible() || self.evaluator.pairs.is_some() {
+            self.evaluator.lock_boundary();
+        }
+        if self.evaluator.pairs.is_some() || (self.schedule.is_possible() && self.evaluator.wedges.is_some())
+        {
+            // Even strict collapses may remove whole parts, or move the surface farther than their
+            // stars show.
+            self.begin_relaxed();
+        }
+        let keys: Vec<f32> =
+            (0..self.choices.len() as u32).map(|v| self.evaluator.provisional_cost(v)).collect();
+        self.heap = IndexedHeap::new(&keys);
+        drop(keys);
     }
 
     /// Returns the position with the smallest key, and that key; begins relaxed collapses if they had
