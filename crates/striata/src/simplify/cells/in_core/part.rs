@@ -45,7 +45,7 @@ pub(super) fn simplify_part(
     let [inside, border] = routed.triangles(cell);
     let own = routed.positions(cell);
     let of = |&t: &u32| surface.triangles[t as usize];
-    let corners = || border.iter().flat_map(|t| of(t));
+    let corners = || border.iter().flat_map(&of);
     let is_own = |p: u32| routed.cell_of[p as usize] == cell as u32;
     let mut outside: Vec<u32> = corners().filter(|&p| !is_own(p)).collect();
     outside.sort_unstable();
