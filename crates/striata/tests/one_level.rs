@@ -76,6 +76,20 @@ fn a_tolerance_is_never_exceeded() {
 }
 
 #[test]
+fn an_error_that_is_the_target_is_met_and_a_lower_tolerance_is_a_limit() {
+    let mesh = shapes::torus(40, 20, 2.0, 1.0);
+    let sequence = SequenceOptions::default();
+    let built = build_sequence(&mesh, &sequence).expect("valid meshes can be simplified").refinable.sequence;
+    let error = f64::from(built.error_at(built.step_count() / 2));
+    let count = |error: f64| built.triangle_count_at(built.split_count_for_error(error));
+    let options = options_for(Target::Error(error), &sequence);
+    let out = level(&mesh, &options);
+    assert_eq!((out.stop_reason, out.mesh.triangle_count()), (StopReason::TargetReached, count(error)));
+    let out = level(&mesh, &options.with_tolerance(0.5 * error));
+    assert_eq!((out.stop_reason, out.mesh.triangle_count()), (StopReason::ErrorLimit, count(0.5 * error)));
+}
+
+#[test]
 fn targets_beyond_the_mesh_are_reported() {
     let mesh = shapes::torus(12, 9, 2.0, 1.0);
     let out = level(&mesh, &options_for(Target::Triangles(1_000_000), &SequenceOptions::default()));

@@ -111,7 +111,11 @@ pub fn build_welded_sequence_with_progress(
     progress: &mut ProgressFn<'_>,
 ) -> Result<BuiltSequence, SimplifyError> {
     options.check()?;
-    let (record, stop_reason) = collapse::simplifier::Simplifier::new(&welded, options).run(progress)?;
+    let (record, stop_reason) = if cells::is_worth_dividing(&welded, options) {
+        cells::simplify_in_cells(&welded, options, cells::CELL_TRIANGLES, progress)?
+    } else {
+        collapse::simplifier::Simplifier::new(&welded, options).run(progress)?
+    };
     let degenerate_triangle_count = welded.degenerate_triangle_count;
     let merged_vertex_count = welded.merged_vertex_count;
     let (refinable, source_vertex) = collapse::refinement_order::build_refinable(welded, record)?;
@@ -149,11 +153,15 @@ pub fn simplify_with_progress(
         // Steps beyond the target are not needed.
         sequence_options.base_triangle_count = sequence_options.base_triangle_count.max(n);
     }
-    let limit = |error: f64| options.sequence.max_error.map_or(error, |max| max.min(error));
-    if let Some(error) = options.tolerance {
-        sequence_options.max_error = Some(limit(error));
+    let least = |a: Option<f64>, b: Option<f64>| a.into_iter().chain(b).reduce(f64::min);
+    let limit = least(options.sequence.max_error, options.tolerance);
+    let target_error = if let Target::Error(error) = options.target { Some(error) } else { None };
+    sequence_options.max_error = least(limit, target_error);
+    let mut built = build_welded_sequence_with_progress(welded, &sequence_options, progress)?;
+    if built.stop_reason == StopReason::ErrorLimit && sequence_options.max_error != limit {
+        // The limit is the target itself.
+        built.stop_reason = StopReason::TargetReached;
     }
-    let built = build_welded_sequence_with_progress(welded, &sequence_options, progress)?;
     let sequence = &built.refinable.sequence;
     let (mut split_count, mut stop_reason) = options.target.resolve(sequence);
     if let Some(error) = options.tolerance {
@@ -173,9 +181,7 @@ pub fn simplify_with_progress(
     if options.placement == Placement::Subset {
         return Ok(level_at(split_count));
     }
-    let target = if let Target::Error(error) = options.target { Some(error) } else { None };
-    let limits = [target, options.tolerance, options.sequence.max_error];
-    let max_error = limits.into_iter().flatten().fold(f64::INFINITY, f64::min);
+    let max_error = least(limit, target_error).unwrap_or(f64::INFINITY);
     let level_within = |limit| level_at(split_count.max(sequence.split_count_for_error(limit)));
     fit_within(mesh, level_within, &options.sequence, max_error, progress)
 }

@@ -33,6 +33,7 @@
 mod cell_mesh;
 mod cell_steps;
 mod hierarchy;
+mod in_core;
 mod partition;
 mod rounding;
 mod route;
@@ -41,6 +42,8 @@ mod trace;
 mod union;
 
 pub use cell_mesh::{Cell, CellMesh, History};
+pub(super) use in_core::{CELL_TRIANGLES, is_worth_dividing, simplify_in_cells};
+
 pub use cell_steps::{CellOptions, CellSteps, SimplifiedCell};
 pub use hierarchy::{CellHierarchy, HierarchyCell, build_in_cells};
 pub use partition::{Partition, PartitionLevel};

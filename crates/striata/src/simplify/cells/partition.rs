@@ -123,6 +123,13 @@ impl PartitionLevel {
         level
     }
 
+    /// Divides space for a level of a number, so that each cell has at most so many samples.
+    pub(super) fn numbered(number: usize, samples: &[[f32; 3]], samples_per_cell: f64) -> Self {
+        let turned = |rotation, _| normalized(product(rotation, normalized(TURN)));
+        let rotation = (0..number).fold([1.0, 0.0, 0.0, 0.0], turned);
+        Self::new(samples, frame_of(rotation), samples_per_cell)
+    }
+
     /// Appends the node of `points` and everything below it.
     fn divide(&mut self, points: &mut [[f64; 3]], samples_per_cell: f64, depth: usize) {
         let split =

@@ -6,6 +6,7 @@ use crate::mesh::Welded;
 
 use super::collapse_choice::{CollapseChoice, CollapseKind};
 use super::cost_evaluator::{CostEvaluator, CostHistory};
+use super::fan::point;
 use super::links::LinkKind;
 use super::lost_positions::{HalfEdge, LostPositions};
 use super::refinement_order::CollapseRecord;
@@ -22,7 +23,7 @@ const MIN_FOLLOWERS: usize = 16;
 pub(in crate::simplify) struct CollapseExecutor {
     /// Mesh units per scaled unit.
     scale: f64,
-    witnesses: Witnesses,
+    pub witnesses: Witnesses,
     /// Neighbors of the position removed last, each once.
     pub ring: Vec<u32>,
     /// Number of triangles left.
@@ -39,9 +40,10 @@ pub(in crate::simplify) struct CollapseExecutor {
 impl CollapseExecutor {
     /// Creates an executor for a mesh on which nothing has been collapsed yet.
     pub(in crate::simplify) fn new(welded: &Welded, evaluator: &CostEvaluator<'_>) -> Self {
+        let follows_rings = !evaluator.is_scan && !evaluator.is_closed_scan();
         Self {
             scale: evaluator.scale,
-            witnesses: Witnesses::new(welded.positions.position_count(), !evaluator.is_closed_scan()),
+            witnesses: Witnesses::new(welded.positions.position_count(), follows_rings),
             ring: Vec::new(),
             last: 0,
             gone: Vec::new(),
@@ -57,6 +59,11 @@ impl CollapseExecutor {
     /// Largest squared error so far, scaled units.
     pub(in crate::simplify) fn worst_squared(&self) -> f32 {
         self.witnesses.worst_squared()
+    }
+
+    /// The positions that the last collapse removed.
+    pub(in crate::simplify) fn last_removed(&self) -> &[u32] {
+        &self.record.removed[self.last..]
     }
 
     /// Squared distance by which a step moves the surface, scaled units.
@@ -80,14 +87,12 @@ impl CollapseExecutor {
         u: u32,
         own: f32,
     ) -> Option<f32> {
-        let vertex = self.witnesses.possible_worst(v, own)?;
+        let place = self.witnesses.possible_worst(&evaluator.positions, v, own)?;
         let CostEvaluator { star, links, positions, .. } = evaluator;
         star.gather(links, positions, v);
         let k = star.ids.iter().position(|&w| w == u)?;
         star.mark_vanishing(Some(k));
-        let at =
-            |p: u32| Vec3::new(positions[p as usize][0], positions[p as usize][1], positions[p as usize][2]);
-        let distance_squared = star.fan_distance_squared_of(k, at(vertex) - at(v));
+        let distance_squared = star.fan_distance_squared_of(k, place - point(positions, v));
         distance_squared.is_finite().then_some(distance_squared)
     }
 

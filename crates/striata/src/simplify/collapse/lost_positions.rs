@@ -41,10 +41,10 @@ impl CostEvaluator<'_> {
     }
 
     /// Whether steps are also measured from the new surface to the original mesh: if there are seams, or once
-    /// a relaxed collapse has been applied. Closed scans skip this, which would take a third of their time.
+    /// a relaxed collapse has been applied. Scans skip this, which would take a third of their time.
     pub(in crate::simplify) fn measures_outward(&self) -> bool {
         let Some(relaxed) = &self.relaxed else { return false };
-        self.wedges.is_some() || (relaxed.has_relaxed && !relaxed.begins_last)
+        self.wedges.is_some() || (relaxed.has_relaxed && !relaxed.begins_last && !self.is_scan)
     }
 
     /// Whether nearest points are searched in the whole mesh: if there are seams, or once a relaxed

@@ -42,6 +42,7 @@
 //! | `collapse_choice.rs`, `cost_evaluator.rs` | bound and full cost of a position's candidates |
 //! | `quadric.rs`, `tracked.rs`, `pairs.rs` | data of the other two costs; contraction of separate parts |
 //! | `heap.rs`, `simplifier.rs`, `executor.rs`, `refinement_order.rs` | the loop, a step, the numbering |
+//! | `part_order.rs` | how the steps of parts that are simplified at the same time merge |
 //! | `walk.rs`, `witness.rs`, `outward_bounds.rs` | the error that a step reports, in both directions |
 //! | `relaxed_state.rs`, `parts.rs`, `surface_snapshot.rs` | global data that relaxed collapses need |
 //! | `relaxation_schedule.rs`, `relaxed_candidates.rs` | when relaxed collapses begin and what they cost |
@@ -65,6 +66,7 @@ pub(super) mod links;
 pub(super) mod lost_positions;
 pub(super) mod outward_bounds;
 pub(super) mod pairs;
+pub(super) mod part_order;
 pub(super) mod parts;
 pub(super) mod quadric;
 pub(super) mod refinement_order;

@@ -110,7 +110,7 @@ fn distance_squared_from(
     enough: f32,
 ) -> f32 {
     let mut least = known;
-    snapshot.visit_near(from, least, |triangle| {
+    snapshot.visit_near(positions, from, least, |triangle| {
         let [a, b, c] = triangle.positions.map(|p| point(positions, p) - from);
         let [x, y, z] = nearest(a, b, c);
         least = least.min((a * x + b * y + c * z).length_squared());

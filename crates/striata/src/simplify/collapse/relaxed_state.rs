@@ -171,7 +171,7 @@ impl RelaxedState<'_> {
         *search += 1;
         let (mut least, mut position) = known;
         let limit_of = |least: f32| if least <= enough { 0.0 } else { least };
-        snapshot.visit_near(from, limit_of(least), |triangle| {
+        snapshot.visit_near(positions, from, limit_of(least), |triangle| {
             for corner in triangle.positions {
                 let at = find(current, corner);
                 if std::mem::replace(&mut stamps[at as usize], *search) == *search || !is_counted(at) {

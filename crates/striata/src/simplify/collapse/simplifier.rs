@@ -22,8 +22,10 @@ use super::cost_evaluator::{CostEvaluator, CostHistory};
 use super::executor::CollapseExecutor;
 use super::heap::IndexedHeap;
 use super::links::LinkKind;
+use super::part_order::PartOrder;
 use super::refinement_order::{CollapseRecord, StepCost};
 use super::relaxation_schedule::RelaxationSchedule;
+use super::witness::Witnesses;
 use crate::simplify::options::{SequenceOptions, SimplifyError, StopReason};
 
 /// No target chosen yet: the key in the heap is a provisional cost.
@@ -33,20 +35,49 @@ const UNMEASURED: f32 = -1.0;
 /// Number of collapses between two progress reports.
 const REPORT_INTERVAL: u64 = 4096;
 
+/// What is kept of a [`CollapseChoice`] until its turn comes.
+#[derive(Clone, Copy)]
+struct StoredChoice {
+    /// `UNDECIDED` if nothing else here is valid.
+    target: u32,
+    kind: CollapseKind,
+    distance_squared: f32,
+    protrusion_squared: f32,
+    /// Distance of the new fan from the original mesh; `UNMEASURED` if it is known to be small, `NAN` if not yet
+    /// checked.
+    outward: f32,
+}
+
+impl StoredChoice {
+    const NONE: Self = Self {
+        target: UNDECIDED,
+        kind: CollapseKind::Strict,
+        distance_squared: 0.0,
+        protrusion_squared: 0.0,
+        outward: f32::NAN,
+    };
+}
+
 /// Complete state of one simplification.
 pub(in crate::simplify) struct Simplifier<'a> {
     options: &'a SequenceOptions,
     evaluator: CostEvaluator<'a>,
     heap: IndexedHeap,
-    target: Vec<u32>,
-    kind: Vec<CollapseKind>,
-    distance_squared: Vec<f32>,
-    protrusion_squared: Vec<f32>,
-    /// Distance of each choice's new fan from the original mesh; `UNMEASURED` if it is known to be
-    /// small, `NAN` if not yet checked.
-    outward: Vec<f32>,
+    /// The choice of each position.
+    choices: Vec<StoredChoice>,
     schedule: RelaxationSchedule<'a>,
     executor: CollapseExecutor,
+    /// The order of the steps among those of other parts, if the mesh is a part of a level.
+    order: Option<PartOrder>,
+}
+
+/// Result of [`Simplifier::run_part`].
+pub(in crate::simplify) struct SimplifiedPart {
+    /// The errors are what each step contributes: its own one if that is the largest so far in the part, or 0.
+    pub record: CollapseRecord,
+    pub stop_reason: StopReason,
+    pub order: PartOrder,
+    pub witnesses: Witnesses,
 }
 
 impl<'a> Simplifier<'a> {
@@ -61,6 +92,27 @@ impl<'a> Simplifier<'a> {
         Self::with_evaluator(welded, options, evaluator)
     }
 
+    /// Creates a simplifier for a part of a level, to be [run as such](Self::run_part). The mesh diagonal is `scale`
+    /// mesh units; `latest` are keys as in [`PartOrder`]. A cut part has locked positions where it was cut.
+    pub(in crate::simplify) fn of_part(
+        welded: &'a Welded,
+        options: &'a SequenceOptions,
+        scale: f64,
+        is_cut: bool,
+        latest: Vec<f32>,
+    ) -> Self {
+        let mut evaluator = CostEvaluator::with_scale(welded, options, scale);
+        evaluator.is_cell = is_cut;
+        let mut simplifier = Self::with_evaluator(welded, options, evaluator);
+        simplifier.order = Some(PartOrder::new(latest));
+        simplifier
+    }
+
+    /// The witnesses, to add those of finer levels.
+    pub(in crate::simplify) fn witnesses_mut(&mut self) -> &mut Witnesses {
+        &mut self.executor.witnesses
+    }
+
     fn with_evaluator(
         welded: &'a Welded,
         options: &'a SequenceOptions,
@@ -72,13 +124,10 @@ impl<'a> Simplifier<'a> {
             options,
             evaluator,
             heap: IndexedHeap::new(&[]),
-            target: vec![UNDECIDED; position_count],
-            kind: vec![CollapseKind::Strict; position_count],
-            distance_squared: vec![0.0; position_count],
-            protrusion_squared: vec![0.0; position_count],
-            outward: vec![f32::NAN; position_count],
+            choices: vec![StoredChoice::NONE; position_count],
             schedule: RelaxationSchedule::new(welded, options.topology),
             executor,
+            order: None,
         }
     }
 
@@ -88,41 +137,45 @@ impl<'a> Simplifier<'a> {
         mut self,
         progress: &mut ProgressFn<'_>,
     ) -> Result<(CollapseRecord, StopReason), SimplifyError> {
-        let total = self.target.len() as u64;
-        if self.schedule.is_possible() || self.evaluator.pairs.is_some() {
-            self.evaluator.lock_boundary();
-        }
-        if self.evaluator.pairs.is_some() || (self.schedule.is_possible() && self.evaluator.wedges.is_some())
-        {
-            // Even strict collapses may remove whole parts, or move the surface farther than their
-            // stars show.
-            self.begin_relaxed();
-        }
-        let keys: Vec<f32> = (0..total as u32).map(|v| self.evaluator.provisional_cost(v)).collect();
-        self.heap = IndexedHeap::new(&keys);
-        drop(keys);
+        let stop_reason = self.collapse_all(progress)?;
+        Ok((self.executor.record, stop_reason))
+    }
+
+    /// Simplifies a part of a level. It ends with the first step that exceeds the error limit.
+    pub(in crate::simplify) fn run_part(
+        mut self,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<SimplifiedPart, SimplifyError> {
+        let stop_reason = self.collapse_all(progress)?;
+        let CollapseExecutor { record, witnesses, .. } = self.executor;
+        Ok(SimplifiedPart { record, stop_reason, order: self.order.unwrap_or_default(), witnesses })
+    }
+
+    fn collapse_all(&mut self, progress: &mut ProgressFn<'_>) -> Result<StopReason, SimplifyError> {
+        self.fill_queue();
+        let total = self.choices.len() as u64;
         let limit = self.options.max_error.unwrap_or(f64::INFINITY);
         let mut error = 0.0f32;
         let mut collapse_count = 0u64;
         while let Some((key, v)) = self.peek() {
             if self.executor.triangle_count <= self.options.base_triangle_count {
-                return Ok((self.executor.record, StopReason::TargetReached));
+                return Ok(StopReason::TargetReached);
             }
-            if self.target[v as usize] == UNDECIDED {
+            if self.choices[v as usize].target == UNDECIDED {
                 self.decide(v, key);
                 continue;
             }
-            let (mut v, mut u) = (v, self.target[v as usize]);
+            let (mut v, mut u) = (v, self.choices[v as usize].target);
             if !self.is_still_allowed(v, u) {
                 // The neighborhood of the target has changed: look for another target.
-                self.target[v as usize] = UNDECIDED;
+                self.choices[v as usize].target = UNDECIDED;
                 self.decide(v, key);
                 continue;
             }
             if self.postpone_if_farther(v, u, key) {
                 continue;
             }
-            if self.kind[v as usize] == CollapseKind::Vanish
+            if self.choices[v as usize].kind == CollapseKind::Vanish
                 && let Some((corner, choice)) = self.evaluator.absorbing_collapse(v, u)
             {
                 // The vanishing position is evaluated again after this.
@@ -134,24 +187,53 @@ impl<'a> Simplifier<'a> {
                 distance_squared: self.executor.own_squared(&self.evaluator, v, &self.choice(v)),
             };
             // Rounded the way it will be reported, so that the limit applies to the reported value.
+            let known = self.executor.worst_squared();
             let collapse_error = self.collapse(v, u).min(f64::from(f32::MAX)) as f32;
-            if f64::from(collapse_error) > limit {
+            if let Some(order) = &mut self.order {
+                let is_larger = f64::from(collapse_error) > f64::from(known).sqrt() * self.evaluator.scale;
+                order.note(&self.executor, key);
+                let record = &mut self.executor.record;
+                record.errors.push(if is_larger { collapse_error } else { 0.0 });
+                record.errors.resize(record.removed.len(), 0.0);
+                if is_larger && f64::from(collapse_error) > limit {
+                    return Ok(StopReason::ErrorLimit);
+                }
+            } else if f64::from(collapse_error) > limit {
                 self.executor.drop_last();
-                return Ok((self.executor.record, StopReason::ErrorLimit));
-            }
-            error = error.max(collapse_error);
-            let done = self.executor.record.removed.len();
-            self.executor.record.errors.resize(done, error);
-            if self.evaluator.is_cell {
-                self.executor.record.costs.resize(done, cost);
+                return Ok(StopReason::ErrorLimit);
+            } else {
+                error = error.max(collapse_error);
+                let done = self.executor.record.removed.len();
+                self.executor.record.errors.resize(done, error);
+                if self.evaluator.is_cell {
+                    self.executor.record.costs.resize(done, cost);
+                }
             }
             collapse_count += 1;
             if collapse_count.is_multiple_of(REPORT_INTERVAL) {
-                Progress { phase: "simplify", done: done as u64, total }.report(progress)?;
+                let done = self.executor.record.removed.len() as u64;
+                Progress { phase: "simplify", done, total }.report(progress)?;
             }
         }
         let is_met = self.executor.triangle_count <= self.options.base_triangle_count;
-        Ok((self.executor.record, if is_met { StopReason::TargetReached } else { StopReason::BaseReached }))
+        Ok(if is_met { StopReason::TargetReached } else { StopReason::BaseReached })
+    }
+
+    /// Begins, and computes the first key of every position.
+    fn fill_queue(&mut self) {
+        if self.schedule.is_possible() || self.evaluator.pairs.is_some() {
+            self.evaluator.lock_boundary();
+        }
+        if self.evaluator.pairs.is_some() || (self.schedule.is_possible() && self.evaluator.wedges.is_some())
+        {
+            // Even strict collapses may remove whole parts, or move the surface farther than their
+            // stars show.
+            self.begin_relaxed();
+        }
+        let keys: Vec<f32> =
+            (0..self.choices.len() as u32).map(|v| self.evaluator.provisional_cost(v)).collect();
+        self.heap = IndexedHeap::new(&keys);
+        drop(keys);
     }
 
     /// Returns the position with the smallest key, and that key; begins relaxed collapses if they had
@@ -159,8 +241,8 @@ impl<'a> Simplifier<'a> {
     fn peek(&mut self) -> Option<(f32, u32)> {
         if self.heap.first().is_none() && self.schedule.is_postponed() {
             self.begin_relaxed();
-            for v in 0..self.target.len() as u32 {
-                self.target[v as usize] = UNDECIDED;
+            for v in 0..self.choices.len() as u32 {
+                self.choices[v as usize].target = UNDECIDED;
                 let key = self.evaluator.provisional_cost(v);
                 self.heap.set(v, key);
             }
@@ -202,15 +284,16 @@ impl<'a> Simplifier<'a> {
     /// original mesh than anything so far, and returns whether it did. Its cost only includes the
     /// distance from the current mesh. This is done once for each choice.
     fn postpone_if_farther(&mut self, v: u32, u: u32, key: f32) -> bool {
-        let is_open = self.kind[v as usize] == CollapseKind::Strict && self.outward[v as usize].is_nan();
+        let is_open = self.choices[v as usize].kind == CollapseKind::Strict
+            && self.choices[v as usize].outward.is_nan();
         if !is_open || !self.evaluator.measures_outward() {
             return false;
         }
         let worst = self.executor.worst_squared();
-        let protrusion = self.protrusion_squared[v as usize];
+        let protrusion = self.choices[v as usize].protrusion_squared;
         let outward = self.evaluator.outward_distance_before(v, u, protrusion, worst).unwrap_or(UNMEASURED);
-        self.outward[v as usize] = outward;
-        let own = self.distance_squared[v as usize];
+        self.choices[v as usize].outward = outward;
+        let own = self.choices[v as usize].distance_squared;
         let inward = self.executor.witness_distance_before(&mut self.evaluator, v, u, own).unwrap_or(0.0);
         let ahead = inward.max(outward.max(0.0) * outward);
         if ahead > worst {
@@ -236,24 +319,25 @@ impl<'a> Simplifier<'a> {
 
     /// Stores the choice for `v`.
     fn choose(&mut self, v: u32, choice: &CollapseChoice) {
-        let v = v as usize;
-        self.target[v] = choice.target;
-        self.kind[v] = choice.kind;
-        self.distance_squared[v] = choice.distance_squared;
-        self.protrusion_squared[v] = choice.protrusion_squared;
-        self.outward[v] = f32::NAN;
+        self.choices[v as usize] = StoredChoice {
+            target: choice.target,
+            kind: choice.kind,
+            distance_squared: choice.distance_squared,
+            protrusion_squared: choice.protrusion_squared,
+            outward: f32::NAN,
+        };
     }
 
     /// Returns the stored choice for `v`.
     fn choice(&self, v: u32) -> CollapseChoice {
-        let v = v as usize;
+        let stored = self.choices[v as usize];
         CollapseChoice {
             cost: 0.0,
-            target: self.target[v],
-            kind: self.kind[v],
-            distance_squared: self.distance_squared[v],
-            protrusion_squared: self.protrusion_squared[v],
-            outward: Some(self.outward[v]).filter(|&outward| outward >= 0.0),
+            target: stored.target,
+            kind: stored.kind,
+            distance_squared: stored.distance_squared,
+            protrusion_squared: stored.protrusion_squared,
+            outward: Some(stored.outward).filter(|&outward| outward >= 0.0),
         }
     }
 
@@ -270,7 +354,7 @@ impl<'a> Simplifier<'a> {
     fn update_neighbors(&mut self, u: u32) {
         let ring = std::mem::take(&mut self.executor.ring);
         for &w in &ring {
-            self.target[w as usize] = UNDECIDED;
+            self.choices[w as usize].target = UNDECIDED;
             let key = self.evaluator.provisional_cost(w);
             self.heap.set(w, key);
         }
@@ -278,14 +362,14 @@ impl<'a> Simplifier<'a> {
         if matches!(self.evaluator.history, CostHistory::Accumulated(_)) {
             // The quadric of u has grown, so collapsing to it now costs more than the stored cost.
             for &w in self.evaluator.links.entries(u) {
-                if self.target[w as usize] == u {
-                    self.target[w as usize] = UNDECIDED;
+                if self.choices[w as usize].target == u {
+                    self.choices[w as usize].target = UNDECIDED;
                 }
             }
         }
         if !self.executor.ring.contains(&u) {
             // A contraction of two parts: u was not a neighbor of v.
-            self.target[u as usize] = UNDECIDED;
+            self.choices[u as usize].target = UNDECIDED;
             let key = self.evaluator.provisional_cost(u);
             self.heap.set(u, key);
         }

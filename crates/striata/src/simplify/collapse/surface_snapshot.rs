@@ -4,7 +4,9 @@
 //! triangles of all parts are put into a tree. Collapses do not update the tree; it is rebuilt once
 //! half of its triangles are gone, so all builds together cost about two of the first. Between builds,
 //! queries return triangles that may have changed since; the parts that they belong to still exist, and
-//! those are what the caller needs.
+//! those are what the caller needs. The tree is split only where it is searched, which is often nowhere.
+
+use std::cell::RefCell;
 
 use glam::{Vec3, Vec3A};
 
@@ -34,7 +36,7 @@ pub(in crate::simplify) struct SnapshotPoint {
 /// Box tree over all triangles that exist when it is built.
 #[derive(Default)]
 pub(in crate::simplify) struct SurfaceSnapshot {
-    tree: BoxTree,
+    tree: RefCell<BoxTree>,
     triangles: Vec<SnapshotTriangle>,
 }
 
@@ -67,23 +69,22 @@ impl SurfaceSnapshot {
         triangles: Vec<SnapshotTriangle>,
         positions: &[[f32; 4]],
     ) -> Self {
-        let box_of = |t: &SnapshotTriangle| {
-            let [a, b, c] = t.positions.map(|p| Vec3A::from(point(positions, p)));
-            AxisBox { min: a.min(b).min(c), max: a.max(b).max(c) }
-        };
-        let boxes: Vec<AxisBox> = triangles.iter().map(box_of).collect();
-        Self { tree: BoxTree::new(&boxes), triangles }
+        let tree = BoxTree::unsplit(triangles.len(), |t| box_of(&triangles[t as usize], positions));
+        Self { tree: RefCell::new(tree), triangles }
     }
 
     /// Visits triangles whose boxes are closer to a point than a squared limit, near ones first;
     /// `visit` returns the limit to use from then on.
     pub(in crate::simplify) fn visit_near(
         &self,
+        positions: &[[f32; 4]],
         from: Vec3,
         limit: f32,
         mut visit: impl FnMut(&SnapshotTriangle) -> f32,
     ) {
-        self.tree.visit_near(Vec3A::from(from), limit, |index| visit(&self.triangles[index]));
+        let boxes = |t: u32| box_of(&self.triangles[t as usize], positions);
+        let visit = |index: usize| visit(&self.triangles[index]);
+        self.tree.borrow_mut().visit_near_and_split(&boxes, Vec3A::from(from), limit, visit);
     }
 
     /// Number of triangles in the tree.
@@ -101,8 +102,7 @@ impl SurfaceSnapshot {
     ) -> Option<SnapshotPoint> {
         let mut best: Option<SnapshotPoint> = None;
         let mut least = limit;
-        self.tree.visit_near(Vec3A::from(from), limit, |index| {
-            let triangle = self.triangles[index];
+        self.visit_near(positions, from, limit, |&triangle| {
             if is_host(&triangle) {
                 let [a, b, c] = triangle.positions.map(|p| point(positions, p) - from);
                 let weights = nearest(a, b, c);
@@ -117,6 +117,11 @@ impl SurfaceSnapshot {
         });
         best
     }
+}
+
+fn box_of(triangle: &SnapshotTriangle, positions: &[[f32; 4]]) -> AxisBox {
+    let [a, b, c] = triangle.positions.map(|p| Vec3A::from(point(positions, p)));
+    AxisBox { min: a.min(b).min(c), max: a.max(b).max(c) }
 }
 
 #[cfg(test)]

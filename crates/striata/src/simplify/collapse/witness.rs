@@ -16,6 +16,8 @@ use super::lost_positions::HalfEdge;
 use super::walk::{NearestStar, walk_to_nearest};
 
 const NONE: u32 = u32::MAX;
+/// Marks a vertex of finer levels, by its index in `carried`.
+const CARRIED: u32 = 1 << 31;
 /// Upper bound on how far the surface moves anywhere, in distances of the removed vertex from its fan.
 const MOVE_FACTOR: f32 = 1.5;
 
@@ -32,15 +34,68 @@ const NO_WITNESS: Witness = Witness { vertex: NONE, distance: 0.0 };
 pub(in crate::simplify) struct Witnesses {
     by_position: Vec<Witness>,
     worst: f32,
-    /// Whether witnesses next to a collapse are measured too; closed scans skip them, which saves a
-    /// quarter of their time.
+    /// Whether witnesses next to a collapse are measured too; scans skip them, which saves a quarter of their time.
     follows_rings: bool,
     edges: Vec<LinkEdge>,
+    /// Places of removed vertices that the mesh does not contain: finer levels have removed them.
+    carried: Vec<Vec3>,
+}
+
+/// A removed vertex and the position that it is measured from.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::simplify) struct StoredWitness {
+    pub position: u32,
+    pub vertex: WitnessVertex,
+    /// Distance when it was last measured, scaled units.
+    pub distance: f32,
+}
+
+/// A removed vertex: one of the mesh, or one of those that were [carried](Witnesses::carry) over.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::simplify) enum WitnessVertex {
+    Own(u32),
+    Carried(u32),
 }
 
 impl Witnesses {
     pub(in crate::simplify) fn new(position_count: usize, follows_rings: bool) -> Self {
-        Self { by_position: vec![NO_WITNESS; position_count], worst: 0.0, follows_rings, edges: Vec::new() }
+        Self {
+            by_position: vec![NO_WITNESS; position_count],
+            worst: 0.0,
+            follows_rings,
+            edges: Vec::new(),
+            carried: Vec::new(),
+        }
+    }
+
+    /// Adds a witness at a position: a vertex at this place that a finer level has removed.
+    pub(in crate::simplify) fn carry(&mut self, position: u32, place: Vec3, distance: f32) {
+        self.by_position[position as usize] =
+            Witness { vertex: CARRIED | self.carried.len() as u32, distance };
+        self.carried.push(place);
+    }
+
+    /// All witnesses, by position.
+    pub(in crate::simplify) fn stored(&self) -> impl Iterator<Item = StoredWitness> {
+        let stored = |(position, witness): (u32, &Witness)| StoredWitness {
+            position,
+            vertex: if witness.vertex & CARRIED == 0 {
+                WitnessVertex::Own(witness.vertex)
+            } else {
+                WitnessVertex::Carried(witness.vertex & !CARRIED)
+            },
+            distance: witness.distance,
+        };
+        (0..).zip(&self.by_position).filter(|(_, witness)| witness.vertex != NONE).map(stored)
+    }
+
+    /// Where a removed vertex was.
+    fn place(&self, positions: &[[f32; 4]], vertex: u32) -> Vec3 {
+        if vertex & CARRIED == 0 {
+            point(positions, vertex)
+        } else {
+            self.carried[(vertex & !CARRIED) as usize]
+        }
     }
 
     /// Updates witnesses after `v`, whose neighbors were `ring`, was collapsed to `u`; `own` is the
@@ -72,12 +127,17 @@ impl Witnesses {
         self.worst
     }
 
-    /// Returns the witness of `v` if collapsing `v` may make it the worst; `own` is the squared
+    /// Returns the place of the witness of `v` if collapsing `v` may make it the worst; `own` is the squared
     /// distance by which the collapse moves the surface at `v`.
-    pub(in crate::simplify) fn possible_worst(&self, v: u32, own: f32) -> Option<u32> {
+    pub(in crate::simplify) fn possible_worst(
+        &self,
+        positions: &[[f32; 4]],
+        v: u32,
+        own: f32,
+    ) -> Option<Vec3> {
         let Witness { vertex, distance } = self.by_position[v as usize];
         let reach = distance + MOVE_FACTOR * own.sqrt();
-        (vertex != NONE && reach * reach > self.worst).then_some(vertex)
+        (vertex != NONE && reach * reach > self.worst).then(|| self.place(positions, vertex))
     }
 
     /// Updates the witnesses of a ring around which the surface has moved by a distance.
@@ -110,7 +170,7 @@ impl Witnesses {
         if reach_squared <= self.worst {
             return (Witness { distance: reach, ..candidate }, p);
         }
-        let from = point(&evaluator.positions, candidate.vertex);
+        let from = self.place(&evaluator.positions, candidate.vertex);
         let (distance_squared, position) = self.measure(evaluator, p, from, reach_squared);
         (Witness { distance: distance_squared.sqrt(), ..candidate }, position)
     }
@@ -130,8 +190,8 @@ impl Witnesses {
             for vertex in
                 [p, witness.vertex].into_iter().filter(|&vertex| vertex != NONE && vertex != position)
             {
-                let (distance_squared, at) =
-                    self.measure(evaluator, position, point(&evaluator.positions, vertex), f32::INFINITY);
+                let from = self.place(&evaluator.positions, vertex);
+                let (distance_squared, at) = self.measure(evaluator, position, from, f32::INFINITY);
                 self.store(at, Witness { vertex, distance: distance_squared.sqrt() });
             }
         }
