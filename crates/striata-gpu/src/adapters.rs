@@ -43,29 +43,16 @@ pub fn choose_adapter<T>(
     options: &GpuOptions,
     mut trial: impl FnMut(&Gpu) -> Result<T, GpuError>,
 ) -> Result<ChosenAdapter<T>, GpuError> {
-    let find = |backends: Backends| {
+    let find = |&backends: &Backends| {
         let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle_from_env();
         descriptor.backends &= backends;
         pollster::block_on(Instance::new(descriptor).enumerate_adapters(backends))
     };
     // OpenGL libraries are loaded only if nothing better works.
     let stages = [Backends::PRIMARY, Backends::all() - Backends::PRIMARY];
-    choose_from(stages.into_iter().map(find), options, |gpu, _| trial(gpu))
-}
-
-/// Like [`choose_adapter`], but among adapters that the caller has found, for example those compatible with
-/// a window's surface. `found` yields lists in order of preference.
-///
-/// # Errors
-/// Fails like [`choose_adapter`].
-pub fn choose_from<T>(
-    found: impl Iterator<Item = Vec<Adapter>>,
-    options: &GpuOptions,
-    mut trial: impl FnMut(&Gpu, &Adapter) -> Result<T, GpuError>,
-) -> Result<ChosenAdapter<T>, GpuError> {
     let requested = options.requested_name();
     let (mut known, mut rejected) = (Vec::new(), Vec::new());
-    for mut adapters in found {
+    for mut adapters in stages.iter().map(find) {
         adapters.sort_by_key(|adapter| rank(adapter.get_info().device_type));
         for adapter in adapters {
             let info = adapter.get_info();
@@ -97,10 +84,10 @@ pub fn choose_from<T>(
 
 fn open_and_try<T>(
     adapter: &Adapter,
-    trial: &mut impl FnMut(&Gpu, &Adapter) -> Result<T, GpuError>,
+    trial: &mut impl FnMut(&Gpu) -> Result<T, GpuError>,
 ) -> Result<(Gpu, T), GpuError> {
     let gpu = Gpu::open(adapter)?;
-    let made = trial(&gpu, adapter)?;
+    let made = trial(&gpu)?;
     // Errors that the device reported asynchronously count as a failed trial.
     gpu.wait()?;
     Ok((gpu, made))

@@ -58,8 +58,7 @@ impl Canvas {
             })
         };
         let drawn = TextureUsages::RENDER_ATTACHMENT;
-        let read = TextureUsages::COPY_SRC | TextureUsages::TEXTURE_BINDING;
-        let color = make(Self::FORMAT, 1, drawn | read);
+        let color = make(Self::FORMAT, 1, drawn | TextureUsages::COPY_SRC);
         let view = |texture: &Texture| texture.create_view(&Default::default());
         Ok(Self {
             color_view: view(&color),
@@ -73,16 +72,6 @@ impl Canvas {
     /// Samples per pixel.
     pub fn samples(&self) -> u32 {
         self.samples
-    }
-
-    /// View of the resolved color texture, for shaders that read it.
-    pub(crate) fn view(&self) -> TextureView {
-        self.color_view.clone()
-    }
-
-    /// Size of the color texture.
-    pub(crate) fn extent(&self) -> Extent3d {
-        self.color.size()
     }
 
     /// Begins a render pass that clears the canvas to `background`, linear light and opacity.
@@ -138,26 +127,14 @@ impl Canvas {
     /// [`GpuError::Failed`] if the device fails, [`GpuError::TooLarge`] if the picture does not fit into
     /// a buffer.
     pub fn read(&self, gpu: &Gpu) -> Result<Picture, GpuError> {
-        Picture::read(gpu, &self.color)
-    }
-}
-
-impl Picture {
-    /// Reads back a texture that was created with `COPY_SRC`. Its format must have 8 bits for each of red,
-    /// green, blue and opacity; other formats yield scrambled pixels.
-    ///
-    /// # Errors
-    /// [`GpuError::Failed`] if the device fails, [`GpuError::TooLarge`] if the picture does not fit into
-    /// a buffer.
-    pub fn read(gpu: &Gpu, texture: &Texture) -> Result<Self, GpuError> {
-        let size = texture.size();
+        let size = self.color.size();
         let row_bytes = 4 * size.width;
         let stride = row_bytes.next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
         let bytes = u64::from(stride) * u64::from(size.height);
         let buffer = gpu.empty_buffer("picture", bytes, BufferUsages::COPY_DST | BufferUsages::MAP_READ)?;
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         encoder.copy_texture_to_buffer(
-            texture.as_image_copy(),
+            self.color.as_image_copy(),
             wgpu::TexelCopyBufferInfo {
                 buffer: &buffer,
                 layout: wgpu::TexelCopyBufferLayout {
@@ -171,10 +148,7 @@ impl Picture {
         gpu.queue.submit([encoder.finish()]);
         let mapped = read_buffer(gpu, &buffer)?;
         let rows = mapped.chunks_exact(stride as usize).take(size.height as usize);
-        let mut rgba: Vec<u8> = rows.flat_map(|row| &row[..row_bytes as usize]).copied().collect();
-        if matches!(texture.format(), TextureFormat::Bgra8Unorm | TextureFormat::Bgra8UnormSrgb) {
-            rgba.as_chunks_mut::<4>().0.iter_mut().for_each(|pixel| pixel.swap(0, 2));
-        }
-        Ok(Self { width: size.width, height: size.height, rgba })
+        let rgba: Vec<u8> = rows.flat_map(|row| &row[..row_bytes as usize]).copied().collect();
+        Ok(Picture { width: size.width, height: size.height, rgba })
     }
 }

@@ -22,18 +22,24 @@ pub struct Gpu {
 }
 
 impl Gpu {
-    /// Opens an adapter with the [`optional features`](Self::optional_features) that it supports. Errors
-    /// that its device reports asynchronously, out of memory above all, are returned by the next
-    /// [`wait`](Self::wait).
+    /// Opens an adapter. Errors that its device reports asynchronously, out of memory above all, are returned
+    /// by the next [`wait`](Self::wait).
     ///
     /// # Errors
     /// [`GpuError::NoDevice`].
     pub fn open(adapter: &Adapter) -> Result<Self, GpuError> {
         let info = adapter.get_info();
-        let descriptor = Self::device_descriptor(adapter);
+        // The adapter's own limits, so that large models fit.
+        let descriptor = wgpu::DeviceDescriptor {
+            label: Some("striata"),
+            required_features: adapter.features() & (Features::INDIRECT_FIRST_INSTANCE | TIME_STAMPS),
+            required_limits: adapter.limits(),
+            ..Default::default()
+        };
         let (device, queue) = pollster::block_on(adapter.request_device(&descriptor))
             .map_err(|e| GpuError::NoDevice { adapter: info.name.clone(), reason: e.to_string() })?;
-        let gpu = Self::from_device(info, device, queue);
+        gl_restart::enable(&device);
+        let gpu = Self { device, queue, info, reported: Arc::default() };
         let reported = Arc::clone(&gpu.reported);
         // Without a handler, wgpu panics in the middle of whatever runs next.
         gpu.device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
@@ -41,29 +47,6 @@ impl Gpu {
             first.get_or_insert_with(|| one_line(&error));
         }));
         Ok(gpu)
-    }
-
-    /// Wraps a device that a window has already opened, preferably with
-    /// [`device_descriptor`](Self::device_descriptor).
-    pub fn from_device(info: AdapterInfo, device: Device, queue: Queue) -> Self {
-        gl_restart::enable(&device);
-        Self { device, queue, info, reported: Arc::default() }
-    }
-
-    /// Descriptor that requests the adapter's own limits, so that large models fit, and the optional
-    /// features that it supports.
-    pub fn device_descriptor(adapter: &Adapter) -> wgpu::DeviceDescriptor<'static> {
-        wgpu::DeviceDescriptor {
-            label: Some("striata"),
-            required_features: adapter.features() & Self::optional_features(),
-            required_limits: adapter.limits(),
-            ..Default::default()
-        }
-    }
-
-    /// Features that are used if the adapter supports them.
-    pub fn optional_features() -> Features {
-        Features::INDIRECT_FIRST_INSTANCE | TIME_STAMPS
     }
 
     /// The device.

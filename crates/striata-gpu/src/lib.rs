@@ -6,8 +6,7 @@
 //! [`Inspection`] draws individual triangles, colored by strip or fan, with their edges.
 //!
 //! [`LitPainter`] draws scenes with their materials instead of one look: metallic-roughness materials as in
-//! glTF, with textures, skins and morph targets, under an [`Environment`] and punctual lights. The readme has
-//! an example.
+//! glTF, with textures, under an [`Environment`] and punctual lights. The readme has an example.
 //!
 //! Positions are stored relative to the middle of the bounds, so that a mesh far from the origin keeps its
 //! shape in 32 bits. Depth is reversed, from 1 at the near plane to 0 at infinity. The instance index tells
@@ -19,7 +18,7 @@
 //!
 //! In reading order: `gpu_error`, `gpu_options`, `gpu` and `adapters` find the device; `copy_back`,
 //! `vertices`, `indices`, `drawing` and `gpu_lod_strips` contain what is drawn; `viewpoint`, `look`,
-//! `painter`, `inspection` and `gpu_morph` draw it; `lit` draws it with materials; `canvas` and
+//! `painter` and `inspection` draw it; `lit` draws it with materials; `canvas` and
 //! `frame_clock` are the target and the timing; `gpu_fan_words`, `gpu_fans`, `fan_extractor` and
 //! `gpu_fan_instance` extract triangles from fans; `probe` tries all of it on an adapter except `lit`.
 //!
@@ -35,7 +34,7 @@
 //! let fans = Fans::build(&refinable);
 //!
 //! let gpu = Gpu::new(&Default::default())?;
-//! let (canvas, painter) = (Canvas::new(&gpu, [800, 600], 4)?, Painter::new(&gpu, Canvas::FORMAT, 4));
+//! let (canvas, painter) = (Canvas::new(&gpu, [800, 600], 4)?, Painter::new(&gpu, 4));
 //! let vertices = GpuVertices::upload(&gpu, &refinable.mesh)?; // once, for all levels
 //! let (table, extractor) = (GpuFans::upload(&gpu, &fans)?, FanExtractor::new(&gpu));
 //! let mut instance = GpuFanInstance::new(&gpu, &extractor, &table)?;
@@ -68,7 +67,6 @@ mod gpu_fan_instance;
 mod gpu_fan_words;
 mod gpu_fans;
 mod gpu_lod_strips;
-mod gpu_morph;
 mod gpu_options;
 mod indices;
 mod inspection;
@@ -79,7 +77,7 @@ mod probe;
 mod vertices;
 mod viewpoint;
 
-pub use adapters::{ChosenAdapter, choose_adapter, choose_from};
+pub use adapters::{ChosenAdapter, choose_adapter};
 pub use canvas::{Canvas, Picture};
 pub use drawing::Drawing;
 pub use fan_extractor::FanExtractor;
@@ -89,7 +87,6 @@ pub use gpu_error::{GpuError, RejectedAdapter};
 pub use gpu_fan_instance::GpuFanInstance;
 pub use gpu_fans::GpuFans;
 pub use gpu_lod_strips::GpuLodStrips;
-pub use gpu_morph::GpuMorph;
 pub use gpu_options::GpuOptions;
 pub use indices::{GpuIndices, GpuMultiDraw};
 pub use inspection::Inspection;

@@ -6,6 +6,7 @@ use wgpu::{
     TextureFormat, VertexAttribute, VertexBufferLayout,
 };
 
+use crate::canvas::Canvas;
 use crate::drawing::Drawing;
 use crate::gpu::Gpu;
 use crate::gpu_error::GpuError;
@@ -16,18 +17,14 @@ use crate::viewpoint::Viewpoint;
 /// Depth format of all pipelines. Depth is reversed: near is 1, infinitely far is 0.
 pub const DEPTH_FORMAT: TextureFormat = TextureFormat::Depth32Float;
 
-/// Render pipelines for one color format and sample count.
+/// Render pipelines for one number of samples per pixel.
 #[derive(Debug)]
 pub struct Painter {
     pub(crate) scene_layout: BindGroupLayout,
     pub(crate) triangles_layout: BindGroupLayout,
-    pub(crate) morphing_layout: BindGroupLayout,
     /// Indexed by whether strips are drawn, then by whether back faces are culled.
     surface: [[RenderPipeline; 2]; 2],
-    pub(crate) morphing: [[RenderPipeline; 2]; 2],
     pub(crate) inspection: [RenderPipeline; 2],
-    format: TextureFormat,
-    samples: u32,
 }
 
 /// Uniform data of a scene, laid out as in `light.wgsl`.
@@ -55,59 +52,27 @@ pub struct Scene {
 
 impl Painter {
     /// Compiles the shaders and creates all pipelines.
-    pub fn new(gpu: &Gpu, format: TextureFormat, samples: u32) -> Self {
+    pub fn new(gpu: &Gpu, samples: u32) -> Self {
         let scene_layout = layout(gpu, "scene", &[wgpu::BufferBindingType::Uniform]);
         let storage = wgpu::BufferBindingType::Storage { read_only: true };
         let triangles_layout = layout(gpu, "triangles", &[storage; 5]);
-        let binding_types = [storage, storage, storage, storage, wgpu::BufferBindingType::Uniform];
-        let morphing_layout = layout(gpu, "morphing", &binding_types);
-        let builder = PipelineBuilder { gpu, format, samples };
-        let surface_code = concat!(
-            include_str!("shaders/light.wgsl"),
-            include_str!("shaders/surface.wgsl"),
-            include_str!("shaders/morphing.wgsl")
-        );
+        let builder = PipelineBuilder { gpu, samples };
+        let surface_code = concat!(include_str!("shaders/light.wgsl"), include_str!("shaders/surface.wgsl"));
         let surface_module = builder.module("surface", surface_code);
         let code = concat!(include_str!("shaders/light.wgsl"), include_str!("shaders/inspection.wgsl"));
         let inspection_module = builder.module("inspection", code);
         let sides = [false, true];
-        let variants = |entry, buffers, groups: &[&BindGroupLayout]| {
-            sides.map(|is_strips| {
-                sides.map(|hides_back| {
-                    builder.pipeline(
-                        &surface_module,
-                        groups,
-                        &PipelineVariant { entry, is_strips, hides_back, buffers },
-                    )
-                })
+        let surface = sides.map(|is_strips| {
+            sides.map(|hides_back| {
+                let variant = PipelineVariant { is_strips, hides_back, buffers: &VERTEX_BUFFERS };
+                builder.pipeline(&surface_module, &[&scene_layout], &variant)
             })
-        };
-        let surface = variants("vertex", &VERTEX_BUFFERS, &[&scene_layout]);
-        let morphing = variants("morphing", &[], &[&scene_layout, &morphing_layout]);
+        });
         let inspection = sides.map(|hides_back| {
-            let variant = PipelineVariant { entry: "vertex", is_strips: false, hides_back, buffers: &[] };
+            let variant = PipelineVariant { is_strips: false, hides_back, buffers: &[] };
             builder.pipeline(&inspection_module, &[&scene_layout, &triangles_layout], &variant)
         });
-        Self {
-            scene_layout,
-            triangles_layout,
-            morphing_layout,
-            surface,
-            morphing,
-            inspection,
-            format,
-            samples,
-        }
-    }
-
-    /// Color format of the render target.
-    pub fn format(&self) -> TextureFormat {
-        self.format
-    }
-
-    /// Samples per pixel.
-    pub fn samples(&self) -> u32 {
-        self.samples
+        Self { scene_layout, triangles_layout, surface, inspection }
     }
 
     /// Creates a scene for later passes: `vertices` seen from a viewpoint in a picture of `[width,
@@ -205,8 +170,6 @@ const VERTEX_BUFFERS: [Option<VertexBufferLayout<'static>>; 3] = [
 ];
 
 struct PipelineVariant<'a> {
-    /// Entry point of the vertex shader.
-    entry: &'a str,
     is_strips: bool,
     hides_back: bool,
     buffers: &'a [Option<VertexBufferLayout<'a>>],
@@ -214,7 +177,6 @@ struct PipelineVariant<'a> {
 
 struct PipelineBuilder<'a> {
     gpu: &'a Gpu,
-    format: TextureFormat,
     samples: u32,
 }
 
@@ -245,7 +207,7 @@ impl PipelineBuilder<'_> {
             layout: Some(&layout),
             vertex: wgpu::VertexState {
                 module,
-                entry_point: Some(variant.entry),
+                entry_point: Some("vertex"),
                 compilation_options: Default::default(),
                 buffers: variant.buffers,
             },
@@ -267,7 +229,7 @@ impl PipelineBuilder<'_> {
                 module,
                 entry_point: Some("fragment"),
                 compilation_options: Default::default(),
-                targets: &[Some(self.format.into())],
+                targets: &[Some(Canvas::FORMAT.into())],
             }),
             multiview_mask: None,
             cache: None,

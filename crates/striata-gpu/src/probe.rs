@@ -44,7 +44,7 @@ impl Gpu {
     /// [`GpuError::Failed`] says what the device lacks or draws incorrectly.
     pub fn probe(&self) -> Result<(), GpuError> {
         let canvas = Canvas::new(self, [SIDE, SIDE], SAMPLES)?;
-        let painter = Painter::new(self, Canvas::FORMAT, SAMPLES);
+        let painter = Painter::new(self, SAMPLES);
         self.wait()?;
         self.probe_with(&canvas, &painter)
     }

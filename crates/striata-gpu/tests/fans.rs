@@ -181,7 +181,7 @@ fn views_are_extracted_exactly_and_drawn_like_their_lists() {
     const SIZE: [u32; 2] = [240, 200];
     let gpu = gpu();
     let extractor = FanExtractor::new(&gpu);
-    let (painter, canvas) = (Painter::new(&gpu, Canvas::FORMAT, 1), Canvas::new(&gpu, SIZE, 1).unwrap());
+    let (painter, canvas) = (Painter::new(&gpu, 1), Canvas::new(&gpu, SIZE, 1).unwrap());
     let mut differing = 0;
     for (name, mesh) in [
         ("sphere", shapes::icosphere(5, 1.0)),

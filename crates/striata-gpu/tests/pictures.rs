@@ -30,7 +30,7 @@ struct PictureTest {
 impl PictureTest {
     fn new(mesh: &IndexedMesh, look: Look) -> Self {
         let gpu = gpu();
-        let painter = Painter::new(&gpu, Canvas::FORMAT, 1);
+        let painter = Painter::new(&gpu, 1);
         let canvas = Canvas::new(&gpu, SIZE, 1).unwrap();
         let vertices = GpuVertices::upload(&gpu, mesh).unwrap();
         let view = Viewpoint::portrait(&mesh.bounds().unwrap(), 0.7, 0.35, 0.6);
@@ -166,7 +166,7 @@ fn empty_drawings_and_impossible_sizes() {
     let gpu = gpu();
     let mesh = IndexedMesh::new(Vec::new(), Vec::new());
     let vertices = GpuVertices::upload(&gpu, &mesh).unwrap();
-    let painter = Painter::new(&gpu, Canvas::FORMAT, 4);
+    let painter = Painter::new(&gpu, 4);
     let view = Viewpoint { eye: [0.0, 0.0, 3.0], look_at: [0.0; 3], up: [0.0, 1.0, 0.0], fov: 0.8 };
     let canvas = Canvas::new(&gpu, [65, 3], 4).unwrap();
     let scene = painter.scene(&gpu, &vertices, (&view, [65, 3]), &Look::default()).unwrap();

@@ -37,15 +37,12 @@ struct LightData {
     cone: [f32; 4],
 }
 
-pub(crate) const FRAME_BYTES: u64 = size_of::<FrameData>() as u64;
-
 impl FrameData {
     pub(crate) fn new(
         camera: &LitCamera,
         [width, height]: [u32; 2],
         environment: &Environment,
         lights: &[LitLight],
-        encodes_srgb: bool,
     ) -> Self {
         let axes = screen_axes(camera);
         let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
@@ -60,7 +57,7 @@ impl FrameData {
         Self {
             clip_from_eye: clip_from_eye(camera, &axes, aspect).as_mat4().to_cols_array_2d(),
             screen_axes: axes.map(|axis| with(axis.as_vec3().to_array(), 0.0)),
-            ground: with(environment.ground, if encodes_srgb { 1.0 } else { 0.0 }),
+            ground: with(environment.ground, 0.0),
             sky: with(environment.sky, light_count),
             lobe_axes: environment.lobes.map(|lobe| with(axis(lobe.direction), 0.0)),
             lobe_colors: environment.lobes.map(|lobe| with(lobe.color, 0.0)),

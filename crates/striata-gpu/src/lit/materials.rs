@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use bytemuck::{Pod, Zeroable, bytes_of};
-use wgpu::{BindGroup, BindGroupEntry, BindingResource, Buffer, BufferUsages, Sampler, TextureView};
+use wgpu::{BindGroup, BindGroupEntry, BindingResource, BufferUsages};
 
 use crate::gpu::Gpu;
 use crate::gpu_error::GpuError;
@@ -22,17 +22,12 @@ use crate::lit::textures::{create_sampler, upload_image};
 pub struct LitMaterials {
     /// The materials, then the default one for triangles that have none.
     pub(crate) entries: Vec<MaterialEntry>,
-    textures: BTreeMap<(usize, ImageMeaning), TextureView>,
-    samplers: BTreeMap<TextureSampler, Sampler>,
-    white: TextureView,
-    image_count: usize,
 }
 
 /// A material and what is bound for it.
 #[derive(Debug)]
 pub(crate) struct MaterialEntry {
     pub material: LitMaterial,
-    buffer: Buffer,
     pub bindings: BindGroup,
 }
 
@@ -62,16 +57,15 @@ impl LitMaterials {
         images: &[LitImage],
     ) -> Result<Self, GpuError> {
         let white = LitImage { width: 1, height: 1, rgba: [255; 4].into() };
-        let mut uploaded = Self {
-            entries: Vec::with_capacity(materials.len() + 1),
-            textures: BTreeMap::new(),
-            samplers: BTreeMap::new(),
-            white: upload_image(gpu, &white, ImageMeaning::Linear),
-            image_count: images.len(),
-        };
-        uploaded.samplers.insert(TextureSampler::default(), painter.sampler(gpu, TextureSampler::default()));
+        let white = upload_image(gpu, &white, ImageMeaning::Linear);
+        let plain = create_sampler(gpu, TextureSampler::default());
+        let (mut textures, mut samplers) = (BTreeMap::new(), BTreeMap::new());
+        let mut entries = Vec::with_capacity(materials.len() + 1);
         for material in materials.iter().chain([&LitMaterial::default()]) {
-            for (used, meaning) in uses(material) {
+            let (mut of_views, mut of_samplers) =
+                ([&white; 5].map(Clone::clone), [&plain; 5].map(Clone::clone));
+            for (slot, used) in material.textures().into_iter().enumerate() {
+                let Some(used) = used else { continue };
                 let image_count = images.len();
                 let image = images.get(used.image).ok_or_else(|| GpuError::NoSuchImage {
                     material: material.name.clone(),
@@ -79,57 +73,34 @@ impl LitMaterials {
                     image_count,
                 })?;
                 image.check(used.image)?;
-                let sampler = uploaded.samplers.entry(used.sampler);
-                sampler.or_insert_with(|| painter.sampler(gpu, used.sampler));
-                let texture = uploaded.textures.entry((used.image, meaning));
-                texture.or_insert_with(|| upload_image(gpu, image, meaning));
+                let meaning = meaning_of(material, slot);
+                let texture = textures.entry((used.image, meaning));
+                of_views[slot] = texture.or_insert_with(|| upload_image(gpu, image, meaning)).clone();
+                let sampler = samplers.entry(used.sampler);
+                of_samplers[slot] = sampler.or_insert_with(|| create_sampler(gpu, used.sampler)).clone();
             }
-            let buffer =
-                gpu.buffer_of("material", bytes_of(&MaterialData::of(material)), BufferUsages::UNIFORM)?;
-            let bindings = uploaded.bindings(gpu, painter, material, &buffer);
-            uploaded.entries.push(MaterialEntry { material: material.clone(), buffer, bindings });
+            let data = MaterialData::of(material);
+            let buffer = gpu.buffer_of("material", bytes_of(&data), BufferUsages::UNIFORM)?;
+            let views = of_views.each_ref().map(BindingResource::TextureView);
+            let samplers = of_samplers.each_ref().map(BindingResource::Sampler);
+            let resources = [buffer.as_entire_binding()].into_iter().chain(views).chain(samplers);
+            let bound: Vec<BindGroupEntry<'_>> = (0..)
+                .zip(resources)
+                .map(|(binding, resource)| BindGroupEntry { binding, resource })
+                .collect();
+            let bindings = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: Some("material"),
+                layout: &painter.material_layout,
+                entries: &bound,
+            });
+            entries.push(MaterialEntry { material: material.clone(), bindings });
         }
-        Ok(uploaded)
-    }
-
-    /// Replaces an image, for example a preview by the full image.
-    ///
-    /// # Errors
-    /// [`GpuError::NoSuchImage`] if there is no image of this number, [`GpuError::ImageSize`] if the new one
-    /// is empty or has too few or too many bytes.
-    pub fn replace_image(
-        &mut self,
-        gpu: &Gpu,
-        painter: &LitPainter,
-        index: usize,
-        image: &LitImage,
-    ) -> Result<(), GpuError> {
-        if index >= self.image_count {
-            let (material, image_count) = (String::new(), self.image_count);
-            return Err(GpuError::NoSuchImage { material, image: index, image_count });
-        }
-        image.check(index)?;
-        for (&(_, meaning), texture) in self.textures.iter_mut().filter(|((used, _), _)| *used == index) {
-            *texture = upload_image(gpu, image, meaning);
-        }
-        let mut entries = std::mem::take(&mut self.entries);
-        for entry in &mut entries {
-            if uses(&entry.material).any(|(used, _)| used.image == index) {
-                entry.bindings = self.bindings(gpu, painter, &entry.material, &entry.buffer);
-            }
-        }
-        self.entries = entries;
-        Ok(())
-    }
-
-    /// Number of materials.
-    pub fn material_count(&self) -> usize {
-        self.entries.len() - 1
+        Ok(Self { entries })
     }
 
     /// The entry of a material, or that of the default material for [`None`].
     pub(crate) fn entry(&self, material: Option<usize>) -> Result<&MaterialEntry, GpuError> {
-        let material_count = self.material_count();
+        let material_count = self.entries.len() - 1;
         match material {
             Some(material) if material >= material_count => {
                 Err(GpuError::NoSuchMaterial { material, material_count })
@@ -137,39 +108,6 @@ impl LitMaterials {
             material => Ok(&self.entries[material.unwrap_or(material_count)]),
         }
     }
-
-    fn bindings(
-        &self,
-        gpu: &Gpu,
-        painter: &LitPainter,
-        material: &LitMaterial,
-        buffer: &Buffer,
-    ) -> BindGroup {
-        let mut views = [&self.white; 5];
-        let mut samplers = [&self.samplers[&TextureSampler::default()]; 5];
-        for (slot, used) in material.textures().into_iter().enumerate() {
-            if let Some(used) = used {
-                views[slot] = &self.textures[&(used.image, meaning_of(material, slot))];
-                samplers[slot] = &self.samplers[&used.sampler];
-            }
-        }
-        let views = views.map(BindingResource::TextureView);
-        let samplers = samplers.map(BindingResource::Sampler);
-        let resources = [buffer.as_entire_binding()].into_iter().chain(views).chain(samplers);
-        let entries: Vec<BindGroupEntry<'_>> =
-            (0..).zip(resources).map(|(binding, resource)| BindGroupEntry { binding, resource }).collect();
-        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("material"),
-            layout: &painter.material_layout,
-            entries: &entries,
-        })
-    }
-}
-
-/// Returns the textures of a material with the meaning of each.
-fn uses(material: &LitMaterial) -> impl Iterator<Item = (&TextureUse, ImageMeaning)> {
-    let textures = material.textures().into_iter().enumerate();
-    textures.filter_map(|(slot, used)| Some((used?, meaning_of(material, slot))))
 }
 
 /// Returns the meaning of the texture in a slot of [`LitMaterial::textures`].
@@ -214,12 +152,5 @@ impl MaterialData {
             ],
             uses: textures.map(use_data),
         }
-    }
-}
-
-impl LitPainter {
-    /// Creates a sampler with the painter's anisotropy.
-    pub(crate) fn sampler(&self, gpu: &Gpu, sampler: TextureSampler) -> Sampler {
-        create_sampler(gpu, sampler, self.anisotropy)
     }
 }

@@ -1,30 +1,26 @@
-//! Lit surfaces: materials with textures, skins and morph targets, under an environment and lights.
+//! Lit surfaces: materials with textures, under an environment and lights.
 //!
 //! [`LitPainter`] holds the shader. Meshes ([`LitVertices`]) and materials ([`LitMaterials`]) are uploaded
-//! once. A [`LitScene`] says what to show: objects with the indices of any level, in any pose, and the
-//! camera. [`LitFrame`] turns it into draw calls and draws them.
+//! once. A [`LitScene`] says what to show: objects with the indices of any level, and the camera. [`LitFrame`]
+//! turns it into draw calls and draws them.
 //!
 //! In reading order: `material`, `texture_use`, `image` and `light` are plain data; `environment`,
 //! `environment_table` and `reflectance_table` contain the light from all around; `mips`, `textures` and
-//! `materials` upload images; `data_texture`, `morph_targets` and `vertices` upload meshes; `object`
-//! describes a scene; `pipelines`, `painter`, `frame_data`, `instance_data` and `frame` draw it.
+//! `materials` upload images; `vertices` uploads meshes; `object` describes a scene; `pipelines`, `painter`,
+//! `frame_data` and `frame` draw it.
 //!
-//! Vertices are posed in the vertex stage, after the level has been chosen. Matrices are computed relative to
-//! the eye in 64 bits. The shading is that of glTF's metallic-roughness materials; an [`Environment`] is a
+//! Positions are relative to the eye, computed in 64 bits. The shading is that of glTF's metallic-roughness materials; an [`Environment`] is a
 //! gradient with a few soft lights, for which prefiltered light has a closed form.
 
-mod data_texture;
 mod environment;
 mod environment_table;
 mod frame;
 mod frame_data;
 mod image;
-mod instance_data;
 mod light;
 mod material;
 mod materials;
 mod mips;
-mod morph_targets;
 mod object;
 mod painter;
 mod pipelines;

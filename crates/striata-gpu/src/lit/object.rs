@@ -1,8 +1,6 @@
-//! Content of a frame: objects in their poses, lights, and the camera.
+//! Content of a frame: objects, lights, and the camera.
 
 use std::ops::Range;
-
-use glam::DMat4;
 
 use crate::indices::GpuIndices;
 use crate::lit::light::LitLight;
@@ -19,7 +17,7 @@ pub struct LitPart {
     pub material: Option<usize>,
 }
 
-/// A mesh at some level in a pose.
+/// A mesh at some level.
 #[derive(Clone, Copy, Debug)]
 pub struct LitObject<'a> {
     /// The vertices of all levels.
@@ -28,21 +26,6 @@ pub struct LitObject<'a> {
     pub indices: &'a GpuIndices,
     /// The parts of the level.
     pub parts: &'a [LitPart],
-    /// Matrix from the mesh to the world; ignored if there are joints.
-    pub world_from_mesh: DMat4,
-    /// For each joint of the skin, the matrix from the mesh in its bind pose to the world; empty without a
-    /// skin. Vertices that belong to no joint stay where they are in the mesh.
-    pub joints: &'a [DMat4],
-    /// Weights of the morph targets; missing ones are 0.
-    pub morph_weights: &'a [f32],
-}
-
-impl<'a> LitObject<'a> {
-    /// An object at the origin of the world, in its own pose.
-    pub fn new(vertices: &'a LitVertices, indices: &'a GpuIndices, parts: &'a [LitPart]) -> Self {
-        let world_from_mesh = DMat4::IDENTITY;
-        Self { vertices, indices, parts, world_from_mesh, joints: &[], morph_weights: &[] }
-    }
 }
 
 /// Position and direction of a camera in the world.

@@ -5,72 +5,58 @@ use std::sync::{Mutex, PoisonError};
 
 use bytemuck::cast_slice;
 use wgpu::{
-    BindGroup, BindGroupEntry, BindGroupLayout, BindGroupLayoutEntry, BindingResource, BindingType,
-    BufferBindingType, Extent3d, RenderPipeline, SamplerBindingType, ShaderStages, TextureDescriptor,
-    TextureDimension, TextureFormat, TextureSampleType, TextureUsages, TextureView, TextureViewDimension,
+    BindGroupLayout, BindGroupLayoutEntry, BindingType, BufferBindingType, Extent3d, RenderPipeline,
+    SamplerBindingType, ShaderStages, TextureDescriptor, TextureDimension, TextureFormat, TextureSampleType,
+    TextureUsages, TextureView, TextureViewDimension,
 };
 
 use crate::gpu::Gpu;
-use crate::lit::data_texture::DataTexture;
-use crate::lit::frame_data::FRAME_BYTES;
-use crate::lit::instance_data::INSTANCE_BYTES;
-use crate::lit::morph_targets::MorphTargets;
 use crate::lit::pipelines::{PipelineKey, PipelineParts};
 use crate::lit::reflectance_table::{SIDE, reflectance_table};
 
 const CODE: &str = concat!(
     include_str!("shaders/frame.wgsl"),
-    include_str!("shaders/pose.wgsl"),
+    include_str!("shaders/vertex.wgsl"),
     include_str!("shaders/material.wgsl"),
     include_str!("shaders/reflection.wgsl"),
     include_str!("shaders/surface.wgsl"),
 );
 
-/// Draws surfaces with materials, for one color format and sample count.
+/// Draws surfaces with materials, for one number of samples per pixel.
 ///
 /// Pipelines are created when a frame first needs them, so the first picture of a kind of mesh takes longer.
 #[derive(Debug)]
 pub struct LitPainter {
     pub(crate) frame_layout: BindGroupLayout,
     pub(crate) material_layout: BindGroupLayout,
-    pub(crate) instance_layout: BindGroupLayout,
-    morph_layout: BindGroupLayout,
+    pub(crate) object_layout: BindGroupLayout,
     pub(crate) reflectance: TextureView,
-    pub(crate) anisotropy: u16,
     parts: PipelineParts,
     pipelines: Mutex<BTreeMap<PipelineKey, RenderPipeline>>,
 }
 
 impl LitPainter {
-    /// Compiles the shader for a render target. If its format is not sRGB, the shader encodes the colors.
-    pub fn new(gpu: &Gpu, format: TextureFormat, samples: u32) -> Self {
+    /// Compiles the shader for pictures with this number of samples per pixel.
+    pub fn new(gpu: &Gpu, samples: u32) -> Self {
         let frame_layout = layout(
             gpu,
             "frame",
             &[
-                (ShaderStages::VERTEX_FRAGMENT, uniform(FRAME_BYTES, false)),
-                (ShaderStages::FRAGMENT, texture(true)),
-                (ShaderStages::FRAGMENT, texture(true)),
+                (ShaderStages::VERTEX_FRAGMENT, uniform()),
+                (ShaderStages::FRAGMENT, texture()),
+                (ShaderStages::FRAGMENT, texture()),
                 (ShaderStages::FRAGMENT, BindingType::Sampler(SamplerBindingType::Filtering)),
             ],
         );
-        let mut of_material = vec![(ShaderStages::FRAGMENT, uniform(0, false))];
-        of_material.extend([(ShaderStages::FRAGMENT, texture(true)); 5]);
+        let mut of_material = vec![(ShaderStages::FRAGMENT, uniform())];
+        of_material.extend([(ShaderStages::FRAGMENT, texture()); 5]);
         let filtering = BindingType::Sampler(SamplerBindingType::Filtering);
         of_material.extend([(ShaderStages::FRAGMENT, filtering); 5]);
         let material_layout = layout(gpu, "material", &of_material);
-        let of_instance =
-            [(ShaderStages::VERTEX, uniform(INSTANCE_BYTES, true)), (ShaderStages::VERTEX, texture(false))];
-        let instance_layout = layout(gpu, "instance", &of_instance);
-        let morph_layout = layout(gpu, "morph targets", &[(ShaderStages::VERTEX, texture(false))]);
+        let object_layout = layout(gpu, "object", &[(ShaderStages::VERTEX, uniform())]);
         let pipeline_layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some("lit surface"),
-            bind_group_layouts: &[
-                Some(&frame_layout),
-                Some(&material_layout),
-                Some(&instance_layout),
-                Some(&morph_layout),
-            ],
+            bind_group_layouts: &[Some(&frame_layout), Some(&material_layout), Some(&object_layout)],
             ..Default::default()
         });
         let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
@@ -84,30 +70,11 @@ impl LitPainter {
         Self {
             frame_layout,
             material_layout,
-            instance_layout,
-            morph_layout,
+            object_layout,
             reflectance,
-            anisotropy: 16,
-            parts: PipelineParts { module, layout: pipeline_layout, format, samples },
+            parts: PipelineParts { module, layout: pipeline_layout, samples },
             pipelines: Mutex::default(),
         }
-    }
-
-    /// Sets the largest anisotropy of textures that are uploaded later, 1 to 16. Default: 16.
-    #[must_use]
-    pub fn with_anisotropy(mut self, anisotropy: u16) -> Self {
-        self.anisotropy = anisotropy.clamp(1, 16);
-        self
-    }
-
-    /// Color format of the render target.
-    pub fn format(&self) -> TextureFormat {
-        self.parts.format
-    }
-
-    /// Samples per pixel.
-    pub fn samples(&self) -> u32 {
-        self.parts.samples
     }
 
     /// Returns a pipeline, and creates it if it is the first of its kind.
@@ -115,21 +82,6 @@ impl LitPainter {
         let mut pipelines = self.pipelines.lock().unwrap_or_else(PoisonError::into_inner);
         pipelines.entry(key).or_insert_with(|| self.parts.pipeline(gpu, key)).clone()
     }
-
-    /// Binds the displacements of a mesh.
-    pub(crate) fn morph_bindings(&self, gpu: &Gpu, targets: &MorphTargets) -> BindGroup {
-        let view = data_view(&targets.texture);
-        gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("morph targets"),
-            layout: &self.morph_layout,
-            entries: &[BindGroupEntry { binding: 0, resource: BindingResource::TextureView(&view) }],
-        })
-    }
-}
-
-/// View of a whole data texture.
-pub(crate) fn data_view(texture: &DataTexture) -> TextureView {
-    texture.texture.create_view(&Default::default())
 }
 
 /// Uploads a table of half floats of `[width, height]` entries.
@@ -165,14 +117,14 @@ pub(crate) fn bytes_of_halves(halves: &[half::f16]) -> Vec<u8> {
     cast_slice(&bits).to_vec()
 }
 
-fn uniform(bytes: u64, has_dynamic_offset: bool) -> BindingType {
-    let min_binding_size = std::num::NonZeroU64::new(bytes);
-    BindingType::Buffer { ty: BufferBindingType::Uniform, has_dynamic_offset, min_binding_size }
+fn uniform() -> BindingType {
+    let ty = BufferBindingType::Uniform;
+    BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None }
 }
 
-fn texture(filterable: bool) -> BindingType {
+fn texture() -> BindingType {
     BindingType::Texture {
-        sample_type: TextureSampleType::Float { filterable },
+        sample_type: TextureSampleType::Float { filterable: true },
         view_dimension: TextureViewDimension::D2,
         multisampled: false,
     }

@@ -1,10 +1,11 @@
 //! Pipelines of lit surfaces, created when they are first needed.
 
 use wgpu::{
-    BlendState, CompareFunction, Face, FrontFace, PipelineLayout, RenderPipeline, ShaderModule,
-    TextureFormat, VertexAttribute, VertexBufferLayout, VertexStepMode, vertex_attr_array,
+    BlendState, CompareFunction, Face, PipelineLayout, RenderPipeline, ShaderModule, VertexAttribute,
+    VertexBufferLayout, VertexStepMode, vertex_attr_array,
 };
 
+use crate::canvas::Canvas;
 use crate::gpu::Gpu;
 use crate::lit::vertices::BUFFER_COUNT;
 use crate::painter::DEPTH_FORMAT;
@@ -23,17 +24,14 @@ pub(crate) struct PipelineKey {
     /// One bit per vertex buffer that the mesh has; see [`BUFFER_COUNT`].
     pub attributes: u8,
     pub sides: Sides,
-    /// Whether the transform mirrors the mesh, so that front faces are clockwise.
-    pub is_mirrored: bool,
     pub is_blended: bool,
 }
 
-/// Parts that all pipelines of a painter share: the shader, the layout, and the format of the target.
+/// Parts that all pipelines of a painter share: the shader, the layout, and the number of samples.
 #[derive(Debug)]
 pub(crate) struct PipelineParts {
     pub module: ShaderModule,
     pub layout: PipelineLayout,
-    pub format: TextureFormat,
     pub samples: u32,
 }
 
@@ -45,8 +43,6 @@ const ATTRIBUTES: [(u64, &[VertexAttribute]); BUFFER_COUNT] = [
     (8, &vertex_attr_array![3 => Float32x2]),
     (8, &vertex_attr_array![4 => Float32x2]),
     (16, &vertex_attr_array![5 => Float32x4]),
-    (24, &vertex_attr_array![6 => Uint16x4, 7 => Float32x4]),
-    (24, &vertex_attr_array![8 => Uint16x4, 9 => Float32x4]),
 ];
 
 impl PipelineParts {
@@ -68,7 +64,6 @@ impl PipelineParts {
                 buffers: &buffers,
             },
             primitive: wgpu::PrimitiveState {
-                front_face: if key.is_mirrored { FrontFace::Cw } else { FrontFace::Ccw },
                 cull_mode: match key.sides {
                     Sides::Front => Some(Face::Back),
                     Sides::Back => Some(Face::Front),
@@ -89,7 +84,7 @@ impl PipelineParts {
                 entry_point: Some("fragment"),
                 compilation_options: Default::default(),
                 targets: &[Some(wgpu::ColorTargetState {
-                    format: self.format,
+                    format: Canvas::FORMAT,
                     blend: key.is_blended.then_some(BlendState::ALPHA_BLENDING),
                     write_mask: wgpu::ColorWrites::ALL,
                 })],

@@ -42,7 +42,7 @@ pub(crate) fn upload_image(gpu: &Gpu, image: &LitImage, meaning: ImageMeaning) -
 }
 
 /// Creates a sampler; anisotropic only if all its filters are linear.
-pub(crate) fn create_sampler(gpu: &Gpu, sampler: TextureSampler, anisotropy: u16) -> Sampler {
+pub(crate) fn create_sampler(gpu: &Gpu, sampler: TextureSampler) -> Sampler {
     let [u, v] = sampler.wrap.map(|wrap| match wrap {
         TextureWrap::Repeat => AddressMode::Repeat,
         TextureWrap::Mirror => AddressMode::MirrorRepeat,
@@ -65,7 +65,7 @@ pub(crate) fn create_sampler(gpu: &Gpu, sampler: TextureSampler, anisotropy: u16
         // Without mip levels only the full image is used. A clamp of 0 would always choose the filter for
         // magnified images.
         lod_max_clamp: if sampler.mip_filter.is_some() { 32.0 } else { 0.25 },
-        anisotropy_clamp: if sampler.is_linear() { anisotropy.clamp(1, 16) } else { 1 },
+        anisotropy_clamp: if sampler.is_linear() { 16 } else { 1 },
         ..Default::default()
     })
 }

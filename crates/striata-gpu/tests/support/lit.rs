@@ -1,11 +1,11 @@
-//! Shared by the tests of lit surfaces: a device for all of them, and meshes in poses.
+//! Shared by the tests of lit surfaces: a device for all of them, and meshes.
 #![allow(dead_code, reason = "not every test needs everything")]
 
 use std::sync::{Arc, LazyLock};
 
 use bytemuck::cast_slice;
-use glam::DMat4;
-use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, shapes};
+use glam::{Mat4, Vec3};
+use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, shapes};
 use striata_gpu::{
     Canvas, Environment, Gpu, GpuError, GpuIndices, LitCamera, LitFrame, LitImage, LitLight, LitLightKind,
     LitMaterial, LitMaterials, LitObject, LitPainter, LitPart, LitScene, LitVertices, Picture,
@@ -25,7 +25,7 @@ pub(crate) fn camera() -> LitCamera {
 /// A device and a painter for all tests: opening and compiling takes longer than drawing.
 static SHARED: LazyLock<(Gpu, Arc<LitPainter>)> = LazyLock::new(|| {
     let gpu = gpu();
-    let painter = LitPainter::new(&gpu, Canvas::FORMAT, 1);
+    let painter = LitPainter::new(&gpu, 1);
     (gpu, Arc::new(painter))
 });
 
@@ -40,23 +40,30 @@ pub(crate) struct LitTest {
     pub camera: LitCamera,
 }
 
-/// A mesh in a pose, as a test wants it drawn.
-pub(crate) struct Shown<'a> {
-    pub mesh: &'a IndexedMesh,
+/// A mesh as a test wants it drawn.
+pub(crate) struct Shown {
+    pub mesh: IndexedMesh,
     pub material: Option<usize>,
-    pub world_from_mesh: DMat4,
-    pub joints: &'a [DMat4],
-    pub morph_weights: &'a [f32],
 }
 
-impl<'a> Shown<'a> {
-    pub(crate) fn new(mesh: &'a IndexedMesh) -> Self {
-        let world_from_mesh = DMat4::IDENTITY;
-        Self { mesh, material: Some(0), world_from_mesh, joints: &[], morph_weights: &[] }
+impl Shown {
+    pub(crate) fn new(mesh: &IndexedMesh) -> Self {
+        Self { mesh: mesh.clone(), material: Some(0) }
     }
 
-    pub(crate) fn at(mesh: &'a IndexedMesh, world_from_mesh: DMat4) -> Self {
-        Self { world_from_mesh, ..Self::new(mesh) }
+    /// Moves or turns the mesh.
+    pub(crate) fn at(mesh: &IndexedMesh, matrix: Mat4) -> Self {
+        let mut mesh = mesh.clone();
+        for position in &mut mesh.positions {
+            *position = matrix.transform_point3(Vec3::from(*position)).into();
+        }
+        for layer in mesh.layers.iter_mut().filter(|layer| layer.semantic == Semantic::Normal) {
+            let LayerData::F32(normals) = &mut layer.data else { unreachable!("tests have floats") };
+            for normal in normals.as_chunks_mut::<3>().0 {
+                *normal = matrix.transform_vector3(Vec3::from(*normal)).into();
+            }
+        }
+        Self { mesh, material: Some(0) }
     }
 }
 
@@ -75,32 +82,23 @@ impl LitTest {
         }
     }
 
-    pub(crate) fn draw(&self, shown: &[Shown<'_>]) -> Picture {
+    pub(crate) fn draw(&self, shown: &[Shown]) -> Picture {
         self.try_draw(shown).unwrap()
     }
 
-    pub(crate) fn try_draw(&self, shown: &[Shown<'_>]) -> Result<Picture, GpuError> {
+    pub(crate) fn try_draw(&self, shown: &[Shown]) -> Result<Picture, GpuError> {
         let materials = LitMaterials::upload(&self.gpu, &self.painter, &self.materials, &self.images)?;
         let mut uploaded = Vec::new();
         for shown in shown {
-            let vertices = LitVertices::upload(&self.gpu, &self.painter, shown.mesh)?;
+            let vertices = LitVertices::upload(&self.gpu, &shown.mesh)?;
             let indices = GpuIndices::upload(&self.gpu, cast_slice(&shown.mesh.triangles))?;
             let range = 0..3 * shown.mesh.triangle_count() as u32;
             uploaded.push((vertices, indices, [LitPart { range, material: shown.material }]));
         }
         let objects: Vec<LitObject<'_>> = uploaded
             .iter()
-            .zip(shown)
-            .map(|((vertices, indices, parts), shown)| LitObject {
-                vertices,
-                indices,
-                parts,
-                world_from_mesh: shown.world_from_mesh,
-                joints: shown.joints,
-                morph_weights: shown.morph_weights,
-            })
+            .map(|(vertices, indices, parts)| LitObject { vertices, indices, parts })
             .collect();
-        let mut frame = LitFrame::new(&self.gpu, &self.painter, &self.environment)?;
         let scene = LitScene {
             camera: self.camera,
             size: [SIDE; 2],
@@ -108,7 +106,7 @@ impl LitTest {
             materials: &materials,
             objects: &objects,
         };
-        frame.update(&self.gpu, &self.painter, &scene)?;
+        let frame = LitFrame::new(&self.gpu, &self.painter, &self.environment, &scene)?;
         self.canvas.paint(&self.gpu, [0.0; 4], |pass| frame.draw(pass))
     }
 }

@@ -48,7 +48,7 @@ impl<'a> BenchScene<'a> {
             )));
         };
         let canvas = Canvas::new(gpu, size, 1)?;
-        let painter = Painter::new(gpu, Canvas::FORMAT, canvas.samples());
+        let painter = Painter::new(gpu, canvas.samples());
         let vertices = GpuVertices::upload(gpu, &refinable.mesh)?;
         let view = Viewpoint::portrait(&bounds, -0.6, 0.15, 0.6);
         let look = Look::default();

@@ -2,7 +2,7 @@
 
 use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
 use striata_gpu::{
-    Canvas as GpuCanvas, Environment, Gpu, GpuError, GpuIndices, LitCamera, LitFrame, LitImage, LitMaterial,
+    Environment, Gpu, GpuError, GpuIndices, LitCamera, LitFrame, LitImage, LitMaterial,
     LitMaterials, LitObject, LitPainter, LitPart, LitScene, LitVertices,
 };
 use striata_scene::drawn::AlphaMode;
@@ -38,7 +38,7 @@ pub(super) struct SeenLook<'a> {
 
 impl LookPainter {
     pub(super) fn new(gpu: &Gpu, samples: u32) -> Self {
-        Self { painter: LitPainter::new(gpu, GpuCanvas::FORMAT, samples), materials: None }
+        Self { painter: LitPainter::new(gpu, samples), materials: None }
     }
 
     /// Uploads a shot, whose materials stay for the next one with the same look.
@@ -59,25 +59,24 @@ impl LookPainter {
         };
         let painter = &self.painter;
         let surface = surface_of(shot);
-        let vertices = LitVertices::upload(gpu, painter, &surface)?;
+        let vertices = LitVertices::upload(gpu, &surface)?;
         let (triangles, parts) = parts_of(shot, look, camera);
         let indices = GpuIndices::upload(gpu, triangles.as_flattened())?;
-        let mut objects = vec![LitObject::new(&vertices, &indices, &parts)];
+        let mut objects = vec![LitObject { vertices: &vertices, indices: &indices, parts: &parts }];
         let lines = LineTriangles::new(&shot.lines, camera, 0);
         let line_mesh = line_mesh(&lines);
-        let line_vertices = LitVertices::upload(gpu, painter, &line_mesh)?;
+        let line_vertices = LitVertices::upload(gpu, &line_mesh)?;
         let line_indices = GpuIndices::upload(gpu, line_mesh.triangles.as_flattened())?;
         let range = 0..3 * line_mesh.triangles.len() as u32;
         let line_parts = [LitPart { range, material: Some(look.materials.len()) }];
         if !line_mesh.triangles.is_empty() {
-            objects.push(LitObject::new(&line_vertices, &line_indices, &line_parts));
+            objects.push(LitObject { vertices: &line_vertices, indices: &line_indices, parts: &line_parts });
         }
         let lights = lit_lights(&look.lights);
         let [eye, look_at, up] = [camera.eye, camera.look_at, camera.up].map(to_f64);
         let camera = LitCamera { eye, look_at, up, fov: f64::from(camera.fov) };
         let scene = LitScene { camera, size, lights: &lights, materials, objects: &objects };
-        let mut frame = LitFrame::new(gpu, painter, &Environment::studio())?;
-        frame.update(gpu, painter, &scene)?;
+        let frame = LitFrame::new(gpu, painter, &Environment::studio(), &scene)?;
         Ok(UploadedLook { frame })
     }
 }

@@ -74,7 +74,7 @@ impl GpuRenderer {
                 info.driver_info
             ));
         }
-        let painter = Painter::new(&chosen.gpu, GpuCanvas::FORMAT, SAMPLES);
+        let painter = Painter::new(&chosen.gpu, SAMPLES);
         Ok((Self { gpu: chosen.gpu, painter, look_painter: None, canvas: None }, chosen.rejected))
     }
 

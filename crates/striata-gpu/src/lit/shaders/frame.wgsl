@@ -18,7 +18,7 @@ struct Frame {
     clip_from_eye: mat4x4<f32>,
     // Rotation from world axes to those of the screen, row by row.
     screen_axes: array<vec4<f32>, 3>,
-    // Radiance from below; w: 1 if the shader has to encode sRGB.
+    // Radiance from below.
     ground: vec4<f32>,
     // Radiance from above; w: number of lights.
     sky: vec4<f32>,

@@ -35,15 +35,6 @@ fn unit_or(v: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
     return v * inverseSqrt(length_2);
 }
 
-fn output(color: vec3<f32>, opacity: f32) -> vec4<f32> {
-    let light = saturate(color);
-    if frame.ground.w < 0.5 {
-        return vec4(light, opacity);
-    }
-    let curved = 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055;
-    return vec4(select(curved, 12.92 * light, light <= vec3(0.0031308)), opacity);
-}
-
 // The largest change of a normal from pixel to pixel makes a surface rougher, so that highlights do not
 // flicker.
 fn roughness_of_shape(normal: vec3<f32>) -> f32 {
@@ -126,5 +117,5 @@ fn fragment(in: Surface, @builtin(front_facing) is_front: bool) -> @location(0) 
     if material.flags.x == MASKED && base.a < material.factors.w {
         discard;
     }
-    return output(light, select(1.0, saturate(base.a), material.flags.x == BLENDED));
+    return vec4(saturate(light), select(1.0, saturate(base.a), material.flags.x == BLENDED));
 }
