@@ -34,6 +34,7 @@ const FEATURES_ALONE: &[(&str, &str)] = &[
     ("striata-paged", ""),
     ("striata-paged", "build"),
     ("striata-paged", "remote"),
+    ("striata-render", ""),
     ("striata-scene", ""),
     ("striata-scene", "textures"),
     ("striata-strip", ""),

@@ -250,9 +250,9 @@ impl From<StreamError> for Failure {
 }
 
 #[cfg(feature = "gpu")]
-impl From<striata_gpu::GpuError> for Failure {
-    fn from(error: striata_gpu::GpuError) -> Self {
-        use striata_gpu::GpuError;
+impl From<striata_render::gpu::GpuError> for Failure {
+    fn from(error: striata_render::gpu::GpuError) -> Self {
+        use striata_render::gpu::GpuError;
         let failure = Self::user(error.to_string());
         match error {
             GpuError::NoSuchAdapter { .. } => failure.with_hint("name another adapter, or remove --adapter"),

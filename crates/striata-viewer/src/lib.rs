@@ -1,15 +1,15 @@
-//! Shows models to people: [`picture`] draws PNGs with or without a GPU, and [`serve`] serves a folder of models
-//! and the web viewer to browsers.
+//! Shows models to people: [`serve`] serves a folder of models and the web viewer to browsers, and
+//! [`PictureRenderer`] chooses what draws pictures.
 //!
-//! In reading order: [`picture`] contains shots, cameras and renderers; [`viewer_page`] is the web viewer
-//! with an embedded model; [`serve`] uses both.
+//! In reading order: `picture_renderer` draws with a GPU or without one; [`viewer_page`] is the web viewer
+//! with an embedded model; [`serve`] uses it.
 
-#[cfg(feature = "gpu")]
-mod lit;
-pub mod picture;
+mod picture_renderer;
 #[cfg(feature = "serve")]
 pub mod serve;
 pub mod viewer_page;
+
+pub use picture_renderer::PictureRenderer;
 
 /// Compiles the readme's example with the documentation tests.
 #[cfg(doctest)]

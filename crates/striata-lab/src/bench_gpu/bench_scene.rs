@@ -5,7 +5,8 @@ use striata::mesh::{IndexedMesh, RefinableMesh, weld};
 use striata::model::{LodStrips, StageOptions};
 use striata::simplify::{SequenceOptions, build_welded_sequence_with_progress};
 use striata::strip::StripSet;
-use striata_gpu::{Canvas, Gpu, GpuVertices, Look, Painter, Scene, Viewpoint};
+use striata_render::Camera;
+use striata_render::gpu::{Canvas, Gpu, GpuVertices, Look, Painter, Scene};
 use striata_strip::{StripOptions, stripify};
 
 use striata_command::failure::Failure;
@@ -48,9 +49,9 @@ impl<'a> BenchScene<'a> {
             )));
         };
         let canvas = Canvas::new(gpu, size, 1)?;
-        let painter = Painter::new(gpu, Canvas::FORMAT, canvas.samples());
+        let painter = Painter::new(gpu, canvas.samples());
         let vertices = GpuVertices::upload(gpu, &refinable.mesh)?;
-        let view = Viewpoint::portrait(&bounds, -0.6, 0.15, 0.6);
+        let view = Camera::portrait(&bounds, -0.6, 0.15, 0.6);
         let look = Look::default();
         let scene = painter.scene(gpu, &vertices, (&view, size), &look)?;
         let level_strips = plan.search.options(plan.chain.last());

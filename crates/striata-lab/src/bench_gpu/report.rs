@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use serde::Serialize;
-use striata_gpu::{Gpu, wgpu};
+use striata_render::gpu::{Gpu, wgpu};
 
 use super::bench_scene::BenchScene;
 use super::timings::{TimeSpread, Timings, WayCost};

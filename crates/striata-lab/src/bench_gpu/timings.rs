@@ -7,7 +7,7 @@
 use std::time::Instant;
 
 use serde::Serialize;
-use striata_gpu::FrameClock;
+use striata_render::gpu::FrameClock;
 
 use super::bench_scene::BenchScene;
 use super::ways::{Way, WayEntry};

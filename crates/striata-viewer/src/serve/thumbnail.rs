@@ -11,13 +11,13 @@ use striata_io::SceneError;
 use striata_scene::Poser;
 use striata_scene::drawn::{ImageLimits, lights, posed_mesh};
 
-use crate::picture::{SceneLook, portrait, with_normals};
 use crate::serve::args::ThumbnailArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, to_stdout};
 use striata_command::scene::SceneKind;
 use striata_paged::{HEAD_NAME, PAGED_MAGIC, PagedError, PagedFile};
+use striata_render::{SceneLook, portrait, with_normals};
 use striata_stream::StreamLevels;
 
 /// Width in pixels.

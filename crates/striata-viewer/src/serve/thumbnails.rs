@@ -27,8 +27,8 @@ use super::folder::{Folder, Stamp};
 use super::kinds::is_model;
 use super::thumbnail::{HEIGHT, WIDTH};
 use super::validators::{Coding, Validators};
-use crate::picture::placeholder;
 use striata_command::failure::Failure;
+use striata_render::placeholder;
 
 /// Number of cached thumbnails, about 30 MB.
 const MAX_THUMBNAILS: NonZeroUsize = NonZeroUsize::new(512).expect("not 0");

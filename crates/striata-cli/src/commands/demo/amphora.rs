@@ -12,9 +12,8 @@ use super::folder::DemoFolder;
 use super::pictures::{Picture, finish};
 use striata_command::failure::Failure;
 use striata_command::output::{Bar, format_count};
-use striata_viewer::picture::{
-    Camera, Paint, Panel, PictureRenderer, SceneLook, Sheet, Shot, Style, ViewAngles,
-};
+use striata_render::{Camera, Paint, Panel, SceneLook, Sheet, Shot, Style, ViewAngles};
+use striata_viewer::PictureRenderer;
 use striata_viewer::viewer_page::self_contained;
 
 /// An amphora on a wheel; for its origin, see `assets/README.md` in the root of the repository.

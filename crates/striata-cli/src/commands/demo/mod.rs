@@ -22,7 +22,7 @@ use pictures::Picture;
 use striata_command::clock::Phases;
 use striata_command::failure::Failure;
 use striata_command::output::{Output, format_bytes, format_count, format_duration};
-use striata_viewer::picture::PictureRenderer;
+use striata_viewer::PictureRenderer;
 
 /// The bust of Nefertiti; for its origin, see `assets/README.md` in the root of the repository.
 const NEFERTITI: &[u8] = include_bytes!("../../../assets/nefertiti.ply.zst");

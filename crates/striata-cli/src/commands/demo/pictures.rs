@@ -9,10 +9,11 @@ use crate::commands::build::BuildOutput;
 use striata_command::args::tan;
 use striata_command::failure::Failure;
 use striata_command::output::format_count;
-use striata_viewer::picture::{
-    Camera, ColorBar, DistanceMap, Frustum, Paint, Panel, PictureRenderer, Sheet, Shot, Style, Theme,
-    ViewAngles, strip_colors, with_normals,
+use striata_render::{
+    Camera, ColorBar, DistanceMap, Frustum, Paint, Panel, Sheet, Shot, Style, Theme, ViewAngles,
+    strip_colors, with_normals,
 };
+use striata_viewer::PictureRenderer;
 
 /// Fractions of the triangles of the levels in the pictures.
 const SHARES: [f64; 4] = [1.0, 0.1, 0.02, 0.005];

@@ -13,7 +13,7 @@ use striata_command::args::{Coloring, ViewArgs};
 use striata_command::failure::Failure;
 use striata_command::fan_cover::cover_with_fans;
 use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall};
-use striata_viewer::picture::{
+use striata_render::{
     Paint, SceneLook, Shot, Style, fan_colors, fragment_colors, group_colors, strip_colors, triangle_colors,
     with_normals,
 };

@@ -7,10 +7,11 @@ use crate::args::RenderArgs;
 use striata_command::args::Coloring;
 use striata_command::failure::Failure;
 use striata_command::output::format_noun_count;
-use striata_viewer::picture::{
-    Camera, Canvas, ColorBar, DistanceMap, Paint, Panel, PictureRenderer, Sheet, Shot, Style, Theme,
-    significant, with_all_normals,
+use striata_render::{
+    Camera, Canvas, ColorBar, DistanceMap, Paint, Panel, Sheet, Shot, Style, Theme, significant,
+    with_all_normals,
 };
+use striata_viewer::PictureRenderer;
 
 /// A picture that is ready to be drawn.
 pub(super) struct Layout<'a> {
@@ -94,7 +95,7 @@ impl<'a> Layout<'a> {
         coloring: Coloring,
         artist: &mut PictureRenderer,
         (camera, size): (&Camera, [usize; 2]),
-    ) -> Result<striata_viewer::picture::Drawn, Failure> {
+    ) -> Result<striata_render::Drawn, Failure> {
         let draw = |mut shot: Shot<'_>, artist: &mut PictureRenderer| {
             if let Some(frustum) = &self.viewpoint.frustum {
                 frustum.draw_into(&mut shot);

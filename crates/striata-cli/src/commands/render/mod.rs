@@ -26,7 +26,8 @@ use striata_command::level::{FullMesh, check_strict};
 use striata_command::output::{Bar, Output};
 use striata_command::save::{check_place, is_stdout, write_bytes};
 use striata_paged::PagedFile;
-use striata_viewer::picture::{Canvas, PictureRenderer, Theme};
+use striata_render::{Canvas, Theme};
+use striata_viewer::PictureRenderer;
 use viewpoint::Viewpoint;
 
 /// Reads the input, draws the requested levels, writes the picture, and reports.

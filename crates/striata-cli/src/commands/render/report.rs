@@ -12,7 +12,7 @@ use crate::args::RenderArgs;
 use striata_command::level::shortfall_note;
 use striata_command::output::{format_duration, format_length, format_noun_count};
 use striata_command::save::georeference_of;
-use striata_viewer::picture::PictureRenderer;
+use striata_viewer::PictureRenderer;
 
 /// Report on a picture.
 #[derive(Serialize)]

@@ -11,9 +11,9 @@ use striata_command::level::{CoarseningLimit, FullMesh, ReachedLevel, shortfall}
 use striata_command::output::{Bar, Output};
 use striata_command::scene::{ReceivedScene, SceneKind};
 use striata_io::Scene;
+use striata_render::{Camera, SceneLook};
 use striata_scene::drawn::{DocumentCamera, ImageLimits, Projection, cameras, lights, posed_mesh};
 use striata_scene::{LodScene, Pose, Poser};
-use striata_viewer::picture::{Camera, SceneLook};
 
 use super::figure::Figure;
 use crate::args::{DrawnModel, RenderArgs};

@@ -19,8 +19,8 @@ use striata_command::input::Input;
 use striata_command::level::{CoarseningLimit, FullMesh, ReachedLevel, shortfall};
 use striata_command::output::{Bar, Output, format_count};
 use striata_command::sequence::SequencePlan;
+use striata_render::{SceneLook, with_normals};
 use striata_scene::drawn::ImageLimits;
-use striata_viewer::picture::{SceneLook, with_normals};
 
 /// The source of the levels in a picture.
 pub(super) enum PictureSource<'a> {

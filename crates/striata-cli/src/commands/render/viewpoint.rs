@@ -3,7 +3,7 @@
 use crate::args::RenderArgs;
 use striata_command::args::Point;
 use striata_command::failure::Failure;
-use striata_viewer::picture::{Camera, Frustum, ViewAngles};
+use striata_render::{Camera, Frustum, ViewAngles};
 
 use super::source::PictureSource;
 

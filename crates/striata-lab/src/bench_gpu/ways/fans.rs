@@ -1,8 +1,8 @@
 //! Progressive fans, expanded to triangles by the CPU or by the GPU.
 
 use striata::model::{FanForm, FanIndices, FanInstance, Fans, FansLevel, LodModel};
-use striata_gpu::wgpu::CommandEncoder;
-use striata_gpu::{Drawing, FanExtractor, Gpu, GpuFanInstance, GpuFans, GpuIndices};
+use striata_render::gpu::wgpu::CommandEncoder;
+use striata_render::gpu::{Drawing, FanExtractor, Gpu, GpuFanInstance, GpuFans, GpuIndices};
 
 use super::super::bench_scene::BenchScene;
 use super::way::Way;

@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use striata::model::{LodModel, LodStrips, StripModel, Topology};
-use striata_gpu::{Drawing, Gpu, GpuIndices};
 use striata_lab::baseline::{DiscreteLevels, ProgressiveMeshes};
+use striata_render::gpu::{Drawing, Gpu, GpuIndices};
 use striata_strip::stripify;
 
 use super::super::bench_scene::BenchScene;

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use striata::model::{LodModel, Topology};
-use striata_gpu::{Drawing, Gpu, GpuIndices};
+use striata_render::gpu::{Drawing, Gpu, GpuIndices};
 
 use super::super::bench_scene::BenchScene;
 use super::way::{Way, whole};

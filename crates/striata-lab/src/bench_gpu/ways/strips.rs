@@ -1,7 +1,7 @@
 //! Strips of LodStrips of which only the changed ranges are uploaded.
 
 use striata::model::{LodModel, LodStrips, LodStripsState};
-use striata_gpu::{Drawing, Gpu, GpuLodStrips, GpuMultiDraw};
+use striata_render::gpu::{Drawing, Gpu, GpuLodStrips, GpuMultiDraw};
 
 use super::super::bench_scene::BenchScene;
 use super::way::Way;

@@ -1,7 +1,7 @@
 //! The trait that every way of drawing a level implements.
 
-use striata_gpu::wgpu::CommandEncoder;
-use striata_gpu::{Drawing, Gpu};
+use striata_render::gpu::wgpu::CommandEncoder;
+use striata_render::gpu::{Drawing, Gpu};
 
 use striata_command::failure::Failure;
 

@@ -7,7 +7,8 @@
 use striata::mesh::{IndexedMesh, Semantic};
 
 use striata_command::output::Output;
-use striata_viewer::picture::{Camera, Canvas, Paint, PictureRenderer, SceneLook, Shot, Style, ViewAngles};
+use striata_render::{Camera, Canvas, Paint, SceneLook, Shot, Style, ViewAngles};
+use striata_viewer::PictureRenderer;
 
 /// Width and height of a picture in pixels.
 const SIDE: usize = 256;
@@ -149,7 +150,7 @@ mod tests {
     use striata_scene::drawn::ImageLimits;
 
     use super::*;
-    use striata_viewer::picture::with_normals;
+    use striata_render::with_normals;
 
     #[test]
     fn mesh_does_not_differ_from_itself() {

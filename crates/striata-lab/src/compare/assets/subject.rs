@@ -9,8 +9,8 @@ use striata::simplify::BaseColor;
 use super::attribute_distance::nearest_weights;
 use super::gallery::Gallery;
 use striata_command::failure::Failure;
+use striata_render::{SceneLook, with_normals};
 use striata_scene::drawn::{ImageLimits, base_colors_of_mesh};
-use striata_viewer::picture::{SceneLook, with_normals};
 
 /// A mesh with the attributes that all contenders can weight.
 pub(super) struct ComparedAsset {

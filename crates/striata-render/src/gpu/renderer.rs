@@ -1,0 +1,396 @@
+//! Draws shots with a GPU.
+
+use std::borrow::Cow;
+use std::ops::Range;
+use std::time::Instant;
+
+use striata::mesh::IndexedMesh;
+use wgpu::RenderPass;
+
+use crate::camera::Camera;
+use crate::gpu::look_painter::{LookPainter, SeenLook};
+use crate::gpu::{
+    Canvas as GpuCanvas, Drawing, Gpu, GpuError, GpuIndices, GpuOptions, GpuVertices, Inspection, LitFrame,
+    Look, Painter, RejectedAdapter, Scene, Shading, choose_adapter,
+};
+use crate::shot::{LineTriangles, Paint, STONE, Shot};
+use crate::{Canvas, Drawn};
+
+/// A GPU with everything that is shared by all shots.
+#[derive(Debug)]
+pub struct GpuRenderer {
+    gpu: Gpu,
+    painter: Painter,
+    /// Created when a shot with materials is drawn for the first time.
+    look_painter: Option<LookPainter>,
+    canvas: Option<([u32; 2], GpuCanvas)>,
+}
+
+/// Samples per pixel.
+const SAMPLES: u32 = 4;
+/// Downsampling factor: each final pixel is the mean of a square of this many pixels per side.
+const DOWNSAMPLING: usize = 2;
+/// Maximum number of pixels of a picture that is downsampled: each takes 64 bytes, and larger pictures
+/// look fine with samples alone.
+const MAX_DOWNSAMPLED_PIXELS: usize = 48 << 20;
+
+/// A shot on the GPU.
+enum Uploaded {
+    Plain(Box<UploadedShot>),
+    WithLook(LitFrame),
+}
+
+/// GPU resources of one shot without materials.
+struct UploadedShot {
+    vertices: GpuVertices,
+    surface: Surface,
+    lines: Option<(Scene, Inspection)>,
+    scene: Scene,
+}
+
+/// How the surface of a shot is drawn.
+enum Surface {
+    List(GpuIndices, Range<u32>),
+    Strips(GpuIndices, Vec<Range<u32>>),
+    Triangles(Inspection),
+}
+
+impl GpuRenderer {
+    /// Opens the best adapter that can draw, and returns the better ones that were rejected.
+    ///
+    /// # Errors
+    /// If no adapter can draw.
+    pub fn open(options: &GpuOptions) -> Result<(Self, Vec<RejectedAdapter>), GpuError> {
+        let chosen = choose_adapter(options, Gpu::probe)?;
+        let painter = Painter::new(&chosen.gpu, SAMPLES);
+        Ok((Self { gpu: chosen.gpu, painter, look_painter: None, canvas: None }, chosen.rejected))
+    }
+
+    /// The GPU that draws.
+    pub fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
+    /// Draws a shot, at a higher resolution if possible, and downsamples it.
+    ///
+    /// # Errors
+    /// If the GPU runs out of memory or is lost.
+    pub fn draw(
+        &mut self,
+        shot: &Shot<'_>,
+        camera: &Camera,
+        [width, height]: [usize; 2],
+    ) -> Result<Drawn, GpuError> {
+        let limit = self.gpu.device().limits().max_texture_dimension_2d as usize;
+        let is_small = DOWNSAMPLING * width.max(height) <= limit
+            && DOWNSAMPLING * DOWNSAMPLING * width * height <= MAX_DOWNSAMPLED_PIXELS;
+        let factor = if is_small { DOWNSAMPLING } else { 1 };
+        let size = [width * factor, height * factor].map(|side| u32::try_from(side).unwrap_or(u32::MAX));
+        let canvas = match self.canvas.take() {
+            Some((of_size, canvas)) if of_size == size => canvas,
+            _ => GpuCanvas::new(&self.gpu, size, SAMPLES)?,
+        };
+        let uploaded = match shot.visible_look() {
+            Some(scene_look) => {
+                let painter = self.look_painter.get_or_insert_with(|| LookPainter::new(&self.gpu, SAMPLES));
+                Uploaded::WithLook(painter.upload(
+                    &self.gpu,
+                    shot,
+                    SeenLook { look: scene_look, camera, size },
+                )?)
+            }
+            None => {
+                let look = look(shot, shot.edge_opacity(camera, height), factor as f32);
+                Uploaded::Plain(Box::new(self.upload(shot, camera, size, &look)?))
+            }
+        };
+        // The first frame pays for shader compilation and first use of memory.
+        self.frame(&canvas, &uploaded)?;
+        let started = Instant::now();
+        self.frame(&canvas, &uploaded)?;
+        let secs = started.elapsed().as_secs_f64();
+        let picture = canvas.read(&self.gpu)?;
+        self.canvas = Some((size, canvas));
+        let large = Canvas::from_srgb(picture.width as usize, picture.height as usize, &picture.rgba);
+        Ok(Drawn { canvas: if factor > 1 { large.downsampled(factor) } else { large }, secs })
+    }
+
+    fn frame(&self, canvas: &GpuCanvas, uploaded: &Uploaded) -> Result<(), GpuError> {
+        let mut encoder = self.gpu.device().create_command_encoder(&Default::default());
+        {
+            let mut pass = canvas.begin(&mut encoder, [0.0; 4]);
+            match uploaded {
+                Uploaded::Plain(uploaded) => self.paint(&mut pass, uploaded),
+                Uploaded::WithLook(frame) => frame.draw(&mut pass),
+            }
+        }
+        self.gpu.queue().submit([encoder.finish()]);
+        self.gpu.wait()
+    }
+
+    fn paint(&self, pass: &mut RenderPass<'_>, uploaded: &UploadedShot) {
+        let UploadedShot { vertices, surface, lines, scene } = uploaded;
+        match surface {
+            Surface::List(indices, whole) => {
+                let drawing = Drawing::List { indices, groups: std::slice::from_ref(whole) };
+                self.painter.draw(pass, scene, vertices, drawing);
+            }
+            Surface::Strips(indices, groups) => {
+                self.painter.draw(pass, scene, vertices, Drawing::Strips { indices, groups });
+            }
+            Surface::Triangles(inspection) => self.painter.inspect(pass, scene, inspection),
+        }
+        if let Some((scene, inspection)) = lines {
+            self.painter.inspect(pass, scene, inspection);
+        }
+    }
+
+    fn upload(
+        &self,
+        shot: &Shot<'_>,
+        camera: &Camera,
+        size: [u32; 2],
+        look: &Look,
+    ) -> Result<UploadedShot, GpuError> {
+        let (gpu, painter) = (&self.gpu, &self.painter);
+        let lines = LineTriangles::new(&shot.lines, camera, shot.vertices.vertex_count());
+        let mesh = with_more_vertices(shot.vertices, &lines.positions);
+        let mut vertices = GpuVertices::upload(gpu, &mesh)?;
+        if let Paint::Vertices(colors) = &shot.paint {
+            let mut colors = colors.clone();
+            colors.resize(mesh.vertex_count(), [0; 4]);
+            vertices.set_colors(gpu, &colors);
+        }
+        let surface = match (shot.colors_of_triangles(), shot.strips) {
+            (Some(colors), _) => {
+                Surface::Triangles(Inspection::new(gpu, painter, &vertices, &shot.triangles, &colors)?)
+            }
+            (None, Some(strips)) => {
+                let indices = GpuIndices::upload(gpu, &strips.indices)?;
+                Surface::Strips(indices, strips.group_ranges.clone())
+            }
+            (None, None) => {
+                let whole = 0..3 * shot.triangles.len() as u32;
+                Surface::List(GpuIndices::upload(gpu, shot.triangles.as_flattened())?, whole)
+            }
+        };
+        let view = (camera, size);
+        let scene = painter.scene(gpu, &vertices, view, look)?;
+        let lines = if lines.triangles.is_empty() {
+            None
+        } else {
+            let scene = painter.scene(gpu, &vertices, view, &Look { light: 0.0, ..Look::default() })?;
+            Some((scene, Inspection::new(gpu, painter, &vertices, &lines.triangles, &lines.colors)?))
+        };
+        Ok(UploadedShot { vertices, surface, lines, scene })
+    }
+}
+
+fn look(shot: &Shot<'_>, edge_opacity: f32, factor: f32) -> Look {
+    Look {
+        base: STONE,
+        background: [0.0; 4],
+        shading: if shot.is_flat { Shading::Flat } else { Shading::Smooth },
+        edges: [0.0, 0.0, 0.0, edge_opacity],
+        edge_width_px: factor,
+        light: shot.light(),
+        ..Look::default()
+    }
+}
+
+/// Appends vertices for lines; their attributes are copied from the first vertex and not used.
+fn with_more_vertices<'a>(mesh: &'a IndexedMesh, positions: &[[f32; 3]]) -> Cow<'a, IndexedMesh> {
+    if positions.is_empty() {
+        return Cow::Borrowed(mesh);
+    }
+    let mut order: Vec<u32> = (0..mesh.vertex_count() as u32).collect();
+    order.resize(order.len() + positions.len(), 0);
+    Cow::Owned(IndexedMesh {
+        positions: [&mesh.positions[..], positions].concat(),
+        layers: mesh.layers.iter().map(|layer| layer.gather(&order)).collect(),
+        ..IndexedMesh::default()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, TriangleGroup, shapes};
+    use striata_scene::Poser;
+    use striata_scene::drawn::{
+        AlphaMode, ImageLimits, Light, LightKind, Material, Sampler, TextureUse, UvTransform, posed_mesh,
+    };
+    use striata_scene::textures::RgbaImage;
+
+    use super::*;
+    use crate::{Line, SceneLook, Style, ViewAngles, rasterize, triangle_colors, with_normals};
+
+    fn torus() -> (IndexedMesh, Camera) {
+        let mesh = with_normals(shapes::torus(48, 24, 1.0, 0.4));
+        let angles = ViewAngles { turn: 0.5, rise: 0.7, up: [0.0, 1.0, 0.0], fov: 0.5 };
+        let camera = Camera::around(&mesh.positions, &angles, 1.5);
+        (mesh, camera)
+    }
+
+    /// Panics if the GPU's picture differs from the rasterizer's by more than rounding and sampling explain.
+    fn both_draw_the_same(shot: &Shot<'_>, camera: &Camera, least_drawn: usize) {
+        both_draw_the_same_at([150, 100], shot, camera, least_drawn);
+    }
+
+    fn both_draw_the_same_at(size: [usize; 2], shot: &Shot<'_>, camera: &Camera, least_drawn: usize) {
+        let (mut renderer, _) = GpuRenderer::open(&GpuOptions::default())
+            .expect("an adapter; apt-get install mesa-vulkan-drivers");
+        let by_gpu = renderer.draw(shot, camera, size).expect("a working device").canvas;
+        let pictures = [by_gpu, rasterize(shot, camera, size)];
+        let pairs = pictures[0].pixels().iter().zip(pictures[1].pixels());
+        let distances: Vec<f32> =
+            pairs.map(|(a, b)| a.iter().zip(b).map(|(x, y)| (x - y).abs()).fold(0.0, f32::max)).collect();
+        let drawn = pictures[1].pixels().iter().filter(|pixel| pixel[3] > 0.5).count();
+        let far = distances.iter().filter(|&&d| d > 0.08).count();
+        let mean = distances.iter().sum::<f32>() / drawn as f32;
+        assert!(drawn > least_drawn, "{drawn} pixels were drawn");
+        assert!(far < drawn / 12 && mean < 0.03, "{:?}: {far} of {drawn} pixels, mean {mean}", shot.paint);
+    }
+
+    #[test]
+    fn a_gpu_and_the_rasterizer_draw_the_same() {
+        let (mesh, camera) = torus();
+        let (_, colors) = triangle_colors(&mesh.triangles);
+        let by_height = |p: &[f32; 3]| [(127.0 * (1.0 + p[1])) as u8, 40, 200, 255];
+        let heights = Paint::Vertices(mesh.positions.iter().map(by_height).collect());
+        let line = Line { ends: [[-2.0, 0.1, -1.0], [2.0, 0.3, 1.0]], color: [255, 80, 0, 255], width: 12.0 };
+        for (paint, has_edges, is_flat) in [
+            (Paint::Surface, false, false),
+            (Paint::Triangles(colors), false, true),
+            (heights, false, false),
+            (Paint::Surface, true, true),
+        ] {
+            let (triangles, lines) = (Cow::Borrowed(&mesh.triangles[..]), vec![line]);
+            let shot = Shot {
+                vertices: &mesh,
+                triangles,
+                strips: None,
+                paint,
+                has_edges,
+                is_flat,
+                look: None,
+                lines,
+            };
+            both_draw_the_same(&shot, &camera, 4000);
+        }
+    }
+
+    #[test]
+    fn both_clip_triangles_behind_the_eye() {
+        let (mesh, _) = torus();
+        // Inside the tube, along the ring: triangles all around, many of them crossing the plane of the eye.
+        let camera =
+            Camera { eye: [1.0, 0.0, 0.05], look_at: [0.8, 0.05, 0.6], up: [0.0, 1.0, 0.0], fov: 1.2 };
+        for style in [Style::SMOOTH, Style::FACETED] {
+            both_draw_the_same(&Shot::of(&mesh, Paint::Surface, style), &camera, 14_000);
+        }
+    }
+
+    /// A board of two colors with soft squares, so that both filter it alike.
+    fn board(colors: [[u8; 4]; 2]) -> RgbaImage {
+        let cell = |i: usize| colors[(i % 64 / 16 + i / 64 / 16) % 2];
+        RgbaImage { width: 64, height: 64, rgba: (0..64 * 64).flat_map(cell).collect() }
+    }
+
+    /// A sphere with a texture on each half, in front of a masked and behind a transparent square.
+    fn textured_scene() -> (IndexedMesh, SceneLook) {
+        let mut mesh = with_normals(shapes::two_material_sphere(24, 36));
+        let sphere = mesh.vertex_count() as u32;
+        let square = |z: f32| [[-1.3, -1.3, z], [0.4, -1.3, z], [0.4, 0.4, z], [-1.3, 0.4, z]];
+        mesh.positions.extend(square(-1.4).into_iter().chain(square(1.4)));
+        let first = mesh.triangles.len() as u32;
+        let corners = |start: u32| [[0, 1, 2], [0, 2, 3]].map(|triangle| triangle.map(|v: u32| v + start));
+        mesh.triangles.extend(corners(sphere).into_iter().chain(corners(sphere + 4)));
+        let group = |first, material| TriangleGroup { first, count: 2, material, ..TriangleGroup::default() };
+        mesh.groups.extend([group(first, Some(2)), group(first + 2, Some(3))]);
+        let normals = mesh.layer(&Semantic::Normal).map(|layer| layer.data.clone());
+        let Some(LayerData::F32(mut normals)) = normals else { panic!("a layer of normals") };
+        normals.extend([0.0, 0.0, 1.0].repeat(8));
+        let uv = |p: &[f32; 3]| [0.5 + 0.4 * p[0], 0.5 - 0.4 * p[1]];
+        let uvs = mesh.positions.iter().flat_map(uv).collect();
+        mesh.layers = vec![
+            AttributeLayer::from_f32(Semantic::Normal, 3, normals),
+            AttributeLayer::from_f32(Semantic::TexCoord(0), 2, uvs),
+        ];
+        mesh.appearance.materials = vec![Default::default(); 4];
+        let texture = |image| {
+            let (sampler, transform) = (Sampler::default(), UvTransform::default());
+            Some(TextureUse { image, sampler, uv_set: 0, transform })
+        };
+        let materials = vec![
+            Material {
+                base_color_texture: texture(0),
+                metallic: 0.0,
+                roughness: 0.4,
+                emissive: [0.1, 0.0, 0.05],
+                ..Material::default()
+            },
+            Material {
+                base_color: [1.0, 0.8, 0.4, 1.0],
+                metallic_roughness_texture: texture(1),
+                normal_texture: texture(2),
+                ..Material::default()
+            },
+            Material {
+                base_color_texture: texture(3),
+                alpha_mode: AlphaMode::Mask(0.5),
+                is_unlit: true,
+                ..Material::default()
+            },
+            Material {
+                base_color: [0.2, 0.4, 1.0, 0.4],
+                alpha_mode: AlphaMode::Blend,
+                roughness: 0.6,
+                ..Material::default()
+            },
+        ];
+        let images = [
+            board([[200, 40, 30, 255], [230, 220, 200, 255]]),
+            board([[0, 60, 255, 255], [0, 200, 100, 255]]),
+            board([[150, 128, 250, 255], [110, 140, 250, 255]]),
+            board([[30, 180, 60, 255], [30, 180, 60, 0]]),
+        ];
+        let light = Light {
+            kind: LightKind::Point,
+            color: [2.0, 1.5, 1.0],
+            range: Some(9.0),
+            position: [1.5, 1.0, 2.5],
+            direction: [0.0, 0.0, -1.0],
+        };
+        let look = SceneLook::new(materials, images.into_iter().map(Some).collect()).with_lights(vec![light]);
+        (mesh, look)
+    }
+
+    #[test]
+    fn both_draw_the_same_materials() {
+        let (mesh, look) = textured_scene();
+        let angles = ViewAngles { turn: -0.3, rise: 0.25, up: [0.0, 1.0, 0.0], fov: 0.5 };
+        let camera = Camera::around(&mesh.positions, &angles, 1.5);
+        let line = Line { ends: [[-2.0, 0.1, -1.0], [2.0, 0.3, 1.0]], color: [255, 80, 0, 255], width: 12.0 };
+        for style in [Style::SMOOTH, Style::FLAT] {
+            let shot = Shot::of(&mesh, Paint::Surface, style);
+            let shot = Shot { look: Some(&look), lines: vec![line], ..shot };
+            both_draw_the_same(&shot, &camera, 3000);
+        }
+    }
+
+    #[test]
+    fn both_draw_the_same_animated_scene() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/arm.glb");
+        let scene = striata_io::read_scene(path).expect("an asset of the repository");
+        let poser = Poser::new(&scene).expect("a sound scene");
+        let pose = poser.pose(0, 0.6);
+        let mesh = posed_mesh(&scene, &poser, &pose).expect("a small scene");
+        let look = SceneLook::of(&scene, &ImageLimits::default());
+        assert!(look.warnings().is_empty() && look.images.iter().any(Option::is_some));
+        let angles = ViewAngles { turn: 0.4, rise: 0.3, up: [0.0, 1.0, 0.0], fov: 0.5 };
+        let camera = Camera::around(&mesh.positions, &angles, 1.5);
+        let shot = Shot { look: Some(&look), ..Shot::of(&mesh, Paint::Surface, Style::SMOOTH) };
+        // Thin parts with fine stripes need more pixels than silhouettes have.
+        both_draw_the_same_at([450, 300], &shot, &camera, 5000);
+    }
+}

@@ -1,0 +1,7 @@
+//! Tests of drawing with wgpu.
+
+mod fans;
+mod lit;
+mod pictures;
+mod strips;
+mod support;
