@@ -25,7 +25,7 @@ interface Listing {
   ends_with_page?: boolean;
 }
 
-/** Tells the server that this page is open, until it is closed: `striata view` ends with it. */
+/** Lets the server know that this page is open, until it is closed: `striata view` ends with it. */
 export async function holdSession(): Promise<void> {
   try {
     const response = await fetch('session', { cache: 'no-store' });

@@ -54,11 +54,11 @@ export interface InspectedLevel extends NumberedTriangles {
   modelBytes: number;
   instanceBytes: number;
   updateMs: number;
-  /** What is drawn while vertices move, and the vertices that move, those that appear first. */
+  /** The triangles that are drawn while vertices move, and the vertices that move, those that appear first. */
   morph: (NumberedTriangles & { vertices: Uint32Array; targets: Uint32Array; appearingCount: number }) | null;
 }
 
-/** What the worker answers. */
+/** Messages from the worker. */
 export type InspectReport =
   | { type: 'progress'; phase: string; share: number }
   | { type: 'opened'; vertices: InspectedVertices }

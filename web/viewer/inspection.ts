@@ -27,7 +27,7 @@ import { wasmUrls } from './wasm-urls.ts';
 /** Duration of a geomorph. */
 const MORPH_SECONDS = 0.4;
 
-/** What the strips, fans or fragments of each model are called. */
+/** Names of the strips, fans or fragments of each model. */
 const PRIMITIVES: Record<ModelName, string> = {
   list: 'Triangles', lodstrips: 'Strips', 'live-strips': 'Strips', mts: 'Strips', fans: 'Fans', patterns: 'Fragments',
 };
@@ -35,7 +35,7 @@ const PRIMITIVES: Record<ModelName, string> = {
 /** Color of a mesh without materials. */
 const CLAY = 0xcfc4b4;
 
-/** What the inspection needs of the viewer. */
+/** The part of the viewer that the inspection needs. */
 export interface InspectionHost {
   /** The level that the panel asks for; `camera` if it depends on it. */
   level: () => Pick<InspectRequest, 'by' | 'value'>;
@@ -82,7 +82,7 @@ export class Inspection {
     return (this.#select.value || null) as ModelName | null;
   }
 
-  /** What is drawn instead of the scene, if anything is. */
+  /** The mesh that is drawn instead of the scene, if any. */
   get mesh(): Mesh | null {
     return this.#mesh;
   }

@@ -175,7 +175,7 @@ export class Picking {
   }
 }
 
-/** What is known of the step that adds a vertex. */
+/** Rows about the step that adds a vertex. */
 function stepRows(step: VertexStep | null): [string, string][] {
   if (!step) return [['Step', 'in the base mesh']];
   return [['Step', formatCount(step.step)], ['Error without it', formatNumber(step.error)]];

@@ -20,7 +20,7 @@ use crate::{Failure, limits};
 /// Encodes a file as `stri`, as `glb`, or its `level` with a number of triangles as GLB, and reports the progress of
 /// each phase to a sink.
 ///
-/// The file is uncompressed; its name tells the format if its contents do not.
+/// The file is uncompressed; its name says the format if its contents do not.
 ///
 /// # Errors
 /// If the file is damaged or of an unknown format, or the model is too large for a page.

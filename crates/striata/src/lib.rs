@@ -58,7 +58,7 @@
 //!
 //! Related crates: `striata-io` reads and writes mesh files, `striata-stream` compresses a mesh into a
 //! stream that can be drawn from its first bytes, `striata-strip` searches for better strips, and
-//! `striata-gpu` draws with wgpu.
+//! `striata-render` draws with wgpu.
 //!
 //! # Features
 //!

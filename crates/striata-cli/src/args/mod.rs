@@ -18,7 +18,7 @@ use striata_command::args::{
 };
 use striata_command::strip_chain::{StripChain, StripPlan};
 #[cfg(feature = "serve")]
-use striata_viewer::serve::{ServeArgs, ShowArgs, ThumbnailArgs};
+use striata_viewer::serve::{PageArgs, ServeArgs, ThumbnailArgs};
 
 pub(crate) use self::paged::{CellArgs, PagedArgs, PlanArgs, RunArgs};
 pub(crate) use self::render::{DrawnModel, PictureBackground, RenderArgs};
@@ -129,7 +129,7 @@ pub(crate) enum Verb {
     Serve(ServeArgs),
     /// View a mesh, a scene or a folder of them in the browser, at any level
     #[cfg(feature = "serve")]
-    View(ShowArgs),
+    View(PageArgs),
     /// Create a demo: levels, pictures and a viewer of a built-in mesh
     Demo(DemoArgs),
     /// Render a small picture of a mesh, without a GPU

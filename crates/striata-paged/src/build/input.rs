@@ -60,7 +60,7 @@ impl InputState {
     }
 }
 
-/// What the system knows about a file.
+/// Size and times of a file.
 struct FileTimes {
     bytes: u64,
     modified: Option<u64>,

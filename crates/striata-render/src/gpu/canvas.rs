@@ -7,7 +7,7 @@ use wgpu::{
 use crate::gpu::copy_back::read_buffer;
 use crate::gpu::device::Gpu;
 use crate::gpu::gpu_error::GpuError;
-use crate::gpu::pipelines::DEPTH_FORMAT;
+use crate::gpu::pipelines::{COLOR_FORMAT, DEPTH_FORMAT};
 
 /// Image in memory, stored row by row from the top with 4 bytes per pixel: red, green and blue in sRGB,
 /// then opacity.
@@ -34,7 +34,7 @@ pub struct Canvas {
 
 impl Canvas {
     /// Color format of every canvas.
-    pub const FORMAT: TextureFormat = TextureFormat::Rgba8UnormSrgb;
+    pub const FORMAT: TextureFormat = COLOR_FORMAT;
 
     /// Creates a canvas of `[width, height]` pixels with 1 or 4 samples per pixel.
     ///

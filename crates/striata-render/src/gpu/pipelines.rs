@@ -6,8 +6,10 @@ use wgpu::{
     ShaderStages, TextureFormat, TextureSampleType, TextureViewDimension, VertexBufferLayout,
 };
 
-use crate::gpu::canvas::Canvas;
 use crate::gpu::device::Gpu;
+
+/// Color format of all pipelines.
+pub(crate) const COLOR_FORMAT: TextureFormat = TextureFormat::Rgba8UnormSrgb;
 
 /// Depth format of all pipelines. Depth is reversed: near is 1, infinitely far is 0.
 pub(crate) const DEPTH_FORMAT: TextureFormat = TextureFormat::Depth32Float;
@@ -89,7 +91,7 @@ impl Program {
                 entry_point: Some("fragment"),
                 compilation_options: Default::default(),
                 targets: &[Some(wgpu::ColorTargetState {
-                    format: Canvas::FORMAT,
+                    format: COLOR_FORMAT,
                     blend: variant.is_blended.then_some(BlendState::ALPHA_BLENDING),
                     write_mask: wgpu::ColorWrites::ALL,
                 })],

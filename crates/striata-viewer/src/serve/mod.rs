@@ -39,7 +39,7 @@ use tokio::net::TcpListener;
 
 pub use self::args::{ServeArgs, ThumbnailArgs};
 pub use self::guard::HostName;
-pub use self::show_args::{FirstArgs, InspectedModel, PageColors, ShowArgs};
+pub use self::show_args::{FirstArgs, InspectedModel, PageArgs, PageColors};
 pub use self::thumbnail::run as thumbnail;
 use assets::Assets;
 use folder::Folder;
@@ -69,7 +69,7 @@ pub fn run(args: &ServeArgs, output: &Output) -> Result<(), Failure> {
 ///
 /// # Errors
 /// If it does not exist, or cannot be served.
-pub fn show(args: &ShowArgs, output: &Output) -> Result<(), Failure> {
+pub fn show(args: &PageArgs, output: &Output) -> Result<(), Failure> {
     striata_command::input::Input::check_exists(&args.path)?;
     let options = Options::from(args);
     if args.path.is_dir() && !options.parameters.is_empty() {

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::args::ServeArgs;
 use super::guard::HostName;
-use super::show_args::ShowArgs;
+use super::show_args::PageArgs;
 
 /// Options of the server.
 #[derive(Clone, Debug)]
@@ -29,9 +29,9 @@ pub(crate) struct Options {
     pub parameters: String,
 }
 
-impl From<&ShowArgs> for Options {
+impl From<&PageArgs> for Options {
     /// Options for a single user on this machine: any free port.
-    fn from(args: &ShowArgs) -> Self {
+    fn from(args: &PageArgs) -> Self {
         Self {
             host: "127.0.0.1".to_owned(),
             port: 0,

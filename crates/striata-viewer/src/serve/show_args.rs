@@ -11,7 +11,7 @@ use striata::model::ModelKind;
 #[command(after_help = "Examples:\n  \
     striata view robot.glb --time 0.5\n  \
     striata view scan.ply --pixels 1 --colors fans")]
-pub struct ShowArgs {
+pub struct PageArgs {
     /// Show this scene, mesh, .striata file or stream; or the gallery of a folder. The command ends when its page is
     /// closed
     #[arg(value_name = "FILE|DIR", default_value = ".")]
@@ -155,7 +155,7 @@ mod tests {
     #[derive(Parser)]
     struct Line {
         #[command(flatten)]
-        show: ShowArgs,
+        show: PageArgs,
     }
 
     fn parameters(line: &str) -> Result<String, clap::Error> {

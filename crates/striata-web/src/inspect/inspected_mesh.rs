@@ -8,9 +8,9 @@ use striata_io::{Format, Scene};
 use striata_scene::file::is_scene_file;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use super::instance::{Instance, Request, fans_of};
-use super::models::{Kind, Models};
-use super::surface::{InspectedLevel, Morph, Surface};
+use super::instance::{InspectedTarget, ModelInstance, fans_of};
+use super::models::{InspectedModels, Kind};
+use super::surface::{InspectedLevel, Morph, NumberedTriangles};
 use crate::encoder::scene_of;
 use crate::progress::{Sink, reporter};
 use crate::view::View;
@@ -21,15 +21,15 @@ use crate::{Failure, limits, normals, stored_file};
 #[derive(Debug)]
 pub struct InspectedMesh {
     steps: Steps,
-    models: Models,
-    instance: Option<(Kind, Instance)>,
+    models: InspectedModels,
+    instance: Option<(Kind, ModelInstance)>,
     /// The surface that was shown last, and its split count.
-    last: Option<(Surface, usize)>,
+    last: Option<(NumberedTriangles, usize)>,
 }
 
 #[wasm_bindgen]
 impl InspectedMesh {
-    /// Reads an uncompressed file of any format, whose name tells the format if its contents do not. Scenes become one
+    /// Reads an uncompressed file of any format, whose name says the format if its contents do not. Scenes become one
     /// mesh; what has no levels is simplified.
     ///
     /// # Errors
@@ -112,7 +112,7 @@ impl InspectedMesh {
     /// If the model cannot be made, or such a camera sees nothing.
     pub fn show_view(&mut self, model: &str, view: &View, morphs: bool) -> Result<InspectedLevel, Failure> {
         let limit = if view.triangle_limit == 0 { usize::MAX } else { view.triangle_limit as usize };
-        let request = Request::View(view.criterion()?, limit);
+        let request = InspectedTarget::View(view.criterion()?, limit);
         self.show(Kind::parse(model)?, request, morphs)
     }
 }
@@ -125,14 +125,14 @@ impl InspectedMesh {
             let file = stored_file::open(bytes)?;
             let summary = file.summary();
             limits::check_counts(summary.vertex_count, summary.triangle_count)?;
-            (file.steps()?, Models::stored(&file)?)
+            (file.steps()?, InspectedModels::stored(&file)?)
         } else {
             let scene: Scene = scene_of(bytes, name)?;
             limits::check_to_build(0, scene.triangle_count())?;
             let mesh = scene.flattened().map_err(Failure::unsupported)?;
             let options = Default::default();
             let built = build_sequence_with_progress(&mesh, &options, progress)?;
-            (Steps::Collapses(built.refinable), Models::default())
+            (Steps::Collapses(built.refinable), InspectedModels::default())
         };
         Ok(Self { steps, models, instance: None, last: None })
     }
@@ -143,12 +143,17 @@ impl InspectedMesh {
 
     fn show_target(&mut self, model: &str, target: Target, morphs: bool) -> Result<InspectedLevel, Failure> {
         let (splits, _) = target.resolve_in(self.steps.levels());
-        self.show(Kind::parse(model)?, Request::Splits(splits), morphs)
+        self.show(Kind::parse(model)?, InspectedTarget::Splits(splits), morphs)
     }
 
-    fn show(&mut self, kind: Kind, request: Request, morphs: bool) -> Result<InspectedLevel, Failure> {
+    fn show(
+        &mut self,
+        kind: Kind,
+        request: InspectedTarget,
+        morphs: bool,
+    ) -> Result<InspectedLevel, Failure> {
         if self.instance.as_ref().is_none_or(|(shown, _)| *shown != kind) {
-            self.instance = Some((kind, Instance::new(kind, &self.models, &self.steps)?));
+            self.instance = Some((kind, ModelInstance::new(kind, &self.models, &self.steps)?));
             self.last = None;
         }
         let Some((_, instance)) = &mut self.instance else { return Err(Failure::unsupported("no model")) };
@@ -177,7 +182,7 @@ impl InspectedMesh {
     }
 }
 
-fn moving<S>(morph: &Geomorph<S>, drawn: Surface) -> Morph {
+fn moving<S>(morph: &Geomorph<S>, drawn: NumberedTriangles) -> Morph {
     let both = || morph.appearing().iter().chain(morph.vanishing());
     Morph {
         drawn,
@@ -280,7 +285,7 @@ mod tests {
         assert!(InspectedMesh::open(&file[..file.len() / 2], "a.striata", &mut ignore_progress).is_err());
         assert!(again.is_stored("meshlets").is_err());
         mesh.steps = Steps::Fragments(FragmentedMesh::from_collapses(refinable));
-        mesh.models = Models::default();
+        mesh.models = InspectedModels::default();
         for model in ALL {
             let is_strips = matches!(model, "lodstrips" | "mts" | "live-strips");
             assert_eq!(mesh.is_available(model).expect("known"), !is_strips);

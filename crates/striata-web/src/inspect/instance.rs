@@ -12,13 +12,13 @@ use striata::strip::{RESTART, restart_triangles_into};
 use striata::view::ScreenError;
 use striata_strip::{LiveStripBuffer, LiveStrips};
 
-use super::models::{Kind, Models, size};
-use super::surface::{InspectedLevel, Surface};
+use super::models::{InspectedModels, Kind, size};
+use super::surface::{InspectedLevel, NumberedTriangles};
 use crate::Failure;
 
 /// The level or view that an instance is to show.
 #[derive(Clone, Debug)]
-pub(super) enum Request {
+pub(super) enum InspectedTarget {
     /// A uniform level.
     Splits(usize),
     /// A view, within a number of triangles.
@@ -27,7 +27,7 @@ pub(super) enum Request {
 
 /// The state of one model.
 #[derive(Debug)]
-pub(super) enum Instance {
+pub(super) enum ModelInstance {
     List(Option<usize>),
     LodStrips(LodStripsState, StripBuffer),
     LiveStrips(Box<(LiveStrips<'static>, LiveStripBuffer)>),
@@ -36,9 +36,9 @@ pub(super) enum Instance {
     Patterns(Box<PatternInstance>),
 }
 
-impl Instance {
+impl ModelInstance {
     /// Makes an instance, and its model if it is missing.
-    pub(super) fn new(kind: Kind, models: &Models, steps: &Steps) -> Result<Self, Failure> {
+    pub(super) fn new(kind: Kind, models: &InspectedModels, steps: &Steps) -> Result<Self, Failure> {
         Ok(match kind {
             Kind::List => Self::List(None),
             Kind::LiveStrips => {
@@ -73,22 +73,22 @@ impl Instance {
         }
     }
 
-    /// Moves to a level and draws it. Models without views show the finest uniform level within the triangles of a
+    /// Moves to a level and draws it. InspectedModels without views show the finest uniform level within the triangles of a
     /// view, and that for its error otherwise.
     pub(super) fn show(
         &mut self,
-        models: &Models,
+        models: &InspectedModels,
         steps: &Steps,
-        request: Request,
+        request: InspectedTarget,
     ) -> Result<InspectedLevel, Failure> {
         let uniform = |request| match request {
-            Request::Splits(splits) => splits,
-            Request::View(_, limit) => steps.levels().split_count_for_triangles(limit),
+            InspectedTarget::Splits(splits) => splits,
+            InspectedTarget::View(_, limit) => steps.levels().split_count_for_triangles(limit),
         };
         Ok(match self {
             Self::List(before) => {
                 let splits = uniform(request);
-                let surface = Surface::of_list(steps.level(splits).triangles);
+                let surface = NumberedTriangles::of_list(steps.level(splits).triangles);
                 let indices = 3 * surface.triangles.len();
                 let changed = if before.replace(splits) == Some(splits) { 0 } else { indices };
                 InspectedLevel {
@@ -103,7 +103,7 @@ impl Instance {
                 let splits = uniform(request);
                 model.move_to(state, splits);
                 let changed_count = buffer.sync(model, state);
-                let level = strips_of(model, state, of(steps, splits, Surface::default()));
+                let level = strips_of(model, state, of(steps, splits, NumberedTriangles::default()));
                 InspectedLevel { changed_count, ..level }
             }
             Self::Mts(state) => {
@@ -111,7 +111,7 @@ impl Instance {
                 let splits = uniform(request);
                 let is_changed = model.split_count(state) != splits;
                 model.move_to(state, splits);
-                let level = strips_of(model, state, of(steps, splits, Surface::default()));
+                let level = strips_of(model, state, of(steps, splits, NumberedTriangles::default()));
                 InspectedLevel { changed_count: if is_changed { level.index_count } else { 0 }, ..level }
             }
             Self::LiveStrips(live) => {
@@ -120,7 +120,7 @@ impl Instance {
                 live.move_to(splits);
                 buffer.sync(live);
                 let changed = buffer.take_changed_ranges();
-                let mut surface = Surface::default();
+                let mut surface = NumberedTriangles::default();
                 for range in buffer.strip_ranges() {
                     let strip = &buffer.indices()[range.start as usize..range.end as usize];
                     restart_triangles_into(strip, &mut surface.triangles);
@@ -139,8 +139,8 @@ impl Instance {
                 let model = models.fans(steps);
                 let (front, shown) = &mut **fans;
                 let is_changed = match request {
-                    Request::Splits(splits) => replace(shown, FanInstance::uniform(model, splits)),
-                    Request::View(criterion, limit) => {
+                    InspectedTarget::Splits(splits) => replace(shown, FanInstance::uniform(model, splits)),
+                    InspectedTarget::View(criterion, limit) => {
                         let scene = FanScene::new(model, &steps.mesh().positions);
                         let criterion = criterion.with_model_bounds(scene.sphere());
                         match limit {
@@ -168,7 +168,7 @@ impl Instance {
 }
 
 /// A level with what all models have.
-fn of(steps: &Steps, split_count: usize, surface: Surface) -> InspectedLevel {
+fn of(steps: &Steps, split_count: usize, surface: NumberedTriangles) -> InspectedLevel {
     let error = steps.levels().error_at(split_count);
     InspectedLevel { surface, split_count, error, ..InspectedLevel::default() }
 }
@@ -188,7 +188,7 @@ fn error_of(steps: &Steps, is_refined: impl Fn(u32) -> bool) -> f32 {
 }
 
 fn strips_of<M: StripModel>(model: &M, state: &M::State, level: InspectedLevel) -> InspectedLevel {
-    let mut surface = Surface::default();
+    let mut surface = NumberedTriangles::default();
     for strip in 0..model.strip_count() {
         restart_triangles_into(model.strip(state, strip), &mut surface.triangles);
         surface.number(strip as u32);
@@ -205,8 +205,8 @@ fn strips_of<M: StripModel>(model: &M, state: &M::State, level: InspectedLevel) 
 }
 
 /// Draws fans.
-pub(super) fn fans_of(model: &Fans, instance: &FanInstance) -> (Surface, DrawCounts) {
-    let (mut surface, mut indices) = (Surface::default(), FanIndices::default());
+pub(super) fn fans_of(model: &Fans, instance: &FanInstance) -> (NumberedTriangles, DrawCounts) {
+    let (mut surface, mut indices) = (NumberedTriangles::default(), FanIndices::default());
     instance.emit_into(model, FanForm::Fans, &mut indices);
     let fans = indices.indices.split(|&index| index == RESTART).filter(|fan| !fan.is_empty());
     for (number, fan) in (0..).zip(fans) {
@@ -218,20 +218,20 @@ pub(super) fn fans_of(model: &Fans, instance: &FanInstance) -> (Surface, DrawCou
 
 fn patterns_of(
     instance: &mut PatternInstance,
-    models: &Models,
+    models: &InspectedModels,
     steps: &Steps,
-    request: Request,
+    request: InspectedTarget,
 ) -> Result<InspectedLevel, Failure> {
     let patterns = models.patterns(steps)?;
     let change = match request {
-        Request::Splits(splits) => {
+        InspectedTarget::Splits(splits) => {
             instance.adapt(patterns, &|overlap: Overlap| (overlap.upper as usize) < splits)
         }
-        Request::View(criterion, usize::MAX) => {
+        InspectedTarget::View(criterion, usize::MAX) => {
             let scene = PatternScene::new(patterns, &steps.mesh().positions);
             instance.adapt(patterns, &CriterionCondition::new(scene, &criterion))
         }
-        Request::View(_, limit) => {
+        InspectedTarget::View(_, limit) => {
             let splits = steps.levels().split_count_for_triangles(limit);
             instance.adapt(patterns, &|overlap: Overlap| (overlap.upper as usize) < splits)
         }
@@ -251,6 +251,6 @@ fn patterns_of(
         error: error_of(steps, |step| instance.is_refined(step)),
         model_bytes: size(patterns),
         instance_bytes: instance.bytes(),
-        ..of(steps, instance.split_count(), Surface { triangles, numbers })
+        ..of(steps, instance.split_count(), NumberedTriangles { triangles, numbers })
     })
 }

@@ -1,5 +1,5 @@
 //! Looks at the multiresolution models of a mesh one by one: what each draws at a level, in how many strips or fans,
-//! and what it costs. A page shows them beside its own way of drawing, which is a list.
+//! and what it costs. A page draws them instead of its own way, which is a list.
 
 mod inspected_mesh;
 mod instance;

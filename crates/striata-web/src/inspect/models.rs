@@ -40,7 +40,7 @@ impl Kind {
 
 /// The models, each made once.
 #[derive(Debug, Default)]
-pub(super) struct Models {
+pub(super) struct InspectedModels {
     strips: OnceCell<StripSet>,
     lod_strips: OnceCell<LodStrips<'static>>,
     mts: OnceCell<Mts<'static>>,
@@ -49,7 +49,7 @@ pub(super) struct Models {
     stored: Vec<ModelKind>,
 }
 
-impl Models {
+impl InspectedModels {
     /// Reads the models of a file.
     pub(super) fn stored(file: &StriataFile<'_>) -> Result<Self, DecodeError> {
         Ok(Self {

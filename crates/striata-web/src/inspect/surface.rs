@@ -1,15 +1,15 @@
-//! Triangles of a level by strip or fan, and what a page is told about them.
+//! Triangles of a level by strip or fan, and the figures of a page about them.
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
 /// Triangles, each with the number of its strip, fan or fragment, or of itself.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Surface {
+pub(super) struct NumberedTriangles {
     pub triangles: Vec<[u32; 3]>,
     pub numbers: Vec<u32>,
 }
 
-impl Surface {
+impl NumberedTriangles {
     /// Gives all triangles that have no number yet this one.
     pub(super) fn number(&mut self, number: u32) {
         self.numbers.resize(self.triangles.len(), number);
@@ -26,7 +26,7 @@ impl Surface {
 #[derive(Debug, Default)]
 pub(super) struct Morph {
     /// Triangles of both levels.
-    pub drawn: Surface,
+    pub drawn: NumberedTriangles,
     /// Vertices that the first level lacks, then those that the second lacks.
     pub vertices: Vec<u32>,
     /// For each of them, the vertex in whose place it begins or ends.
@@ -38,7 +38,7 @@ pub(super) struct Morph {
 #[wasm_bindgen]
 #[derive(Debug, Default)]
 pub struct InspectedLevel {
-    pub(super) surface: Surface,
+    pub(super) surface: NumberedTriangles,
     pub(super) morph: Option<Morph>,
     /// Number of strips, fans or fragments; 0 for a list.
     pub primitive_count: usize,

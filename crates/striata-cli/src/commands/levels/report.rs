@@ -69,7 +69,7 @@ pub(in crate::commands) struct LevelDetails {
     /// meshes with guaranteed errors, since that guarantee covers only distances from the original to the level.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub reverse_error: Option<Option<f64>>,
-    /// Where on the Earth a terrain is.
+    /// The place of a terrain on the Earth.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub georeference: Option<Value>,
     /// For streams: what was read.

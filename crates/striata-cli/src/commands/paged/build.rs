@@ -35,7 +35,7 @@ struct PagedBuildReport {
     seconds: f64,
     triangles_per_second: f64,
     resumed: bool,
-    /// Where on the Earth a terrain is.
+    /// The place of a terrain on the Earth.
     #[serde(skip_serializing_if = "Option::is_none")]
     georeference: Option<serde_json::Value>,
 }

@@ -25,7 +25,7 @@ struct PlanReport {
     work_bytes: u64,
     result_bytes: u64,
     simulations: Vec<Simulation>,
-    /// Where on the Earth a terrain is.
+    /// The place of a terrain on the Earth.
     #[serde(skip_serializing_if = "Option::is_none")]
     georeference: Option<serde_json::Value>,
 }

@@ -28,7 +28,7 @@ pub(super) struct RenderReport {
     levels: Vec<Level>,
     #[serde(skip_serializing_if = "Option::is_none")]
     heat: Option<HeatReport>,
-    /// Where on the Earth a terrain is.
+    /// The place of a terrain on the Earth.
     #[serde(skip_serializing_if = "Option::is_none")]
     georeference: Option<serde_json::Value>,
     secs: f64,

@@ -19,16 +19,16 @@ const MIN_TAKEN: usize = 1024;
 pub(in crate::simplify) struct IndexedHeap {
     /// Key bits in the high half, position in the low half, so that one comparison orders both.
     items: Vec<u64>,
-    places: Vec<Place>,
+    places: Vec<HeapPlace>,
     /// Every waiting position, and perhaps others and repetitions.
     waiting: Vec<u32>,
     /// Every entry up to this one is in the heap, and no other.
     last: u64,
 }
 
-/// Where a position is.
+/// The key of a position, and its place in the heap.
 #[derive(Clone, Copy, Debug)]
-struct Place {
+struct HeapPlace {
     /// Index in `items`, or one of the special values.
     slot: u32,
     /// The key, if the position is waiting.
@@ -44,7 +44,7 @@ fn pack(key: f32, v: u32) -> u64 {
 impl IndexedHeap {
     /// Builds a queue from the key of every position; positions with key `f32::INFINITY` are left out.
     pub(in crate::simplify) fn new(keys: &[f32]) -> Self {
-        let place = |&key: &f32| Place { slot: if key < f32::INFINITY { WAITING } else { ABSENT }, key };
+        let place = |&key: &f32| HeapPlace { slot: if key < f32::INFINITY { WAITING } else { ABSENT }, key };
         let is_waiting = |&v: &u32| keys[v as usize] < f32::INFINITY;
         Self {
             items: Vec::new(),
@@ -80,7 +80,7 @@ impl IndexedHeap {
                     self.waiting.push(v);
                 }
             }
-            self.places[v as usize] = Place { slot: WAITING, key };
+            self.places[v as usize] = HeapPlace { slot: WAITING, key };
         } else if slot >= WAITING {
             self.items.push(item);
             self.sift_up(self.items.len() - 1);

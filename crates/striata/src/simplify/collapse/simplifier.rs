@@ -35,7 +35,7 @@ const UNMEASURED: f32 = -1.0;
 /// Number of collapses between two progress reports.
 const REPORT_INTERVAL: u64 = 4096;
 
-/// What is kept of a [`CollapseChoice`] until its turn comes.
+/// The part of a [`CollapseChoice`] that is kept until its turn comes.
 #[derive(Clone, Copy)]
 struct StoredChoice {
     /// `UNDECIDED` if nothing else here is valid.

@@ -89,7 +89,7 @@ impl Witnesses {
         (0..).zip(&self.by_position).filter(|(_, witness)| witness.vertex != NONE).map(stored)
     }
 
-    /// Where a removed vertex was.
+    /// The place of a removed vertex.
     fn place(&self, positions: &[[f32; 4]], vertex: u32) -> Vec3 {
         if vertex & CARRIED == 0 {
             point(positions, vertex)

@@ -11,14 +11,14 @@
 
 mod part;
 mod routed;
+mod surface;
 
 use self::part::{PartResult, simplify_part, simplify_rest};
 use self::routed::RoutedLevel;
-use super::PartitionLevel;
+use self::surface::{DividedSurface, NONE, map};
 use crate::mesh::Welded;
 use crate::simplify::collapse::cost_evaluator::has_large_parts;
 use crate::simplify::collapse::refinement_order::CollapseRecord;
-use crate::simplify::scaled_space::ScaledSpace;
 use crate::simplify::{BoundaryRule, CollapseCost, SequenceOptions, SimplifyError, StopReason};
 use crate::{Progress, ProgressFn};
 
@@ -32,10 +32,6 @@ const MIN_PART_TRIANGLES: usize = 1000;
 const CELLS_PER_REPORT: usize = 64;
 /// A level must remove this share of the triangles; if it does not, the next one is the last.
 const MIN_REMOVED_SHARE: f64 = 0.1;
-/// Each cell has about this many samples, from which space is divided.
-const SAMPLES_PER_CELL: usize = 256;
-
-const NONE: u32 = u32::MAX;
 
 /// Whether a mesh is simplified in cells.
 pub(in crate::simplify) fn is_worth_dividing(welded: &Welded, options: &SequenceOptions) -> bool {
@@ -50,19 +46,6 @@ pub(in crate::simplify) fn is_worth_dividing(welded: &Welded, options: &Sequence
         && has_large_parts(welded, MIN_PART_TRIANGLES)
 }
 
-/// The surface between two levels.
-struct Surface<'a> {
-    welded: &'a Welded,
-    space: ScaledSpace,
-    triangles: Vec<[u32; 3]>,
-    is_locked: Vec<bool>,
-    is_removed: Vec<bool>,
-    /// Key of the last step that changed a triangle at each position.
-    latest: Vec<f32>,
-    /// Removed vertex that is measured from each position, or `NONE`; and its distance, scaled units.
-    witnesses: Vec<(u32, f32)>,
-}
-
 /// Steps of all parts, in the order of levels and parts.
 #[derive(Default)]
 struct MergedSteps {
@@ -71,14 +54,14 @@ struct MergedSteps {
     triangle_count: usize,
 }
 
-/// Simplifies a mesh in cells of at most so many triangles. Each of its positions must have one vertex.
+/// Simplifies a mesh in cells of at most `cell_triangles`. Each of its positions must have one vertex.
 pub(in crate::simplify) fn simplify_in_cells(
     welded: &Welded,
     options: &SequenceOptions,
     cell_triangles: usize,
     progress: &mut ProgressFn<'_>,
 ) -> Result<(CollapseRecord, StopReason), SimplifyError> {
-    let mut surface = Surface::new(welded, options);
+    let mut surface = DividedSurface::new(welded, options);
     let mut steps = MergedSteps { triangle_count: welded.mesh.triangle_count(), ..MergedSteps::default() };
     steps.record.targets = vec![0; welded.mesh.vertex_count()];
     let total = welded.positions.position_count() as u64;
@@ -122,27 +105,7 @@ pub(in crate::simplify) fn simplify_in_cells(
     Ok(steps.merge(options, stop_reason))
 }
 
-impl<'a> Surface<'a> {
-    fn new(welded: &'a Welded, options: &SequenceOptions) -> Self {
-        let position_count = welded.positions.position_count();
-        let mut is_locked = vec![false; position_count];
-        for &vertex in &options.locked_vertices {
-            let position = welded.position_of_source.get(vertex as usize);
-            if let Some(is_locked) = position.and_then(|&p| is_locked.get_mut(p as usize)) {
-                *is_locked = true;
-            }
-        }
-        Self {
-            welded,
-            space: ScaledSpace::of(&welded.mesh),
-            triangles: welded.mesh.triangles.clone(),
-            is_locked,
-            is_removed: vec![false; position_count],
-            latest: vec![0.0; position_count],
-            witnesses: vec![(NONE, 0.0); position_count],
-        }
-    }
-
+impl DividedSurface<'_> {
     /// Takes over the result of a part; its triangles are appended to `rest`.
     fn apply(&mut self, part: PartResult, steps: &mut MergedSteps, rest: &mut Vec<[u32; 3]>) {
         for (&v, target) in part.removed.iter().zip(part.targets) {
@@ -159,21 +122,6 @@ impl<'a> Surface<'a> {
         steps.record.errors.extend(part.errors);
         steps.record.removed_triangle_counts.extend(part.removed_triangle_counts);
         steps.keys.extend(part.keys);
-    }
-}
-
-impl Surface<'_> {
-    /// Adds witnesses that cells left at positions of other cells, which may have been removed since.
-    fn add_witnesses(&mut self, witnesses: Vec<(u32, (u32, f32))>, targets: &[u32]) {
-        for (mut p, witness) in witnesses {
-            while self.is_removed[p as usize] {
-                p = targets[p as usize];
-            }
-            let current = &mut self.witnesses[p as usize];
-            if current.0 == NONE || witness.1 > current.1 {
-                *current = witness;
-            }
-        }
     }
 }
 
@@ -209,17 +157,6 @@ impl MergedSteps {
         let ended = if is_met { StopReason::TargetReached } else { last };
         (merged, stop_reason.unwrap_or(ended))
     }
-}
-
-/// Results of a function for all numbers of a range, in their order; on several threads if enabled.
-fn map<T: Send>(numbers: std::ops::Range<usize>, run: impl Fn(usize) -> T + Sync) -> Vec<T> {
-    #[cfg(feature = "parallel")]
-    {
-        use rayon::prelude::*;
-        numbers.into_par_iter().map(&run).collect()
-    }
-    #[cfg(not(feature = "parallel"))]
-    numbers.map(run).collect()
 }
 
 /// Sorts different numbers, on several threads if enabled.

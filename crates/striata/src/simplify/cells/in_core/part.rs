@@ -1,14 +1,14 @@
 //! Simplifies one cell of a level, or all that is left.
 
 use super::routed::RoutedLevel;
-use super::{NONE, Surface};
+use super::surface::{DividedSurface, NONE};
 use crate::mesh::{IndexedMesh, PositionIndex, Welded};
 use crate::simplify::collapse::simplifier::{SimplifiedPart, Simplifier};
 use crate::simplify::collapse::witness::WitnessVertex;
 use crate::simplify::{SequenceOptions, SimplifyError, StopReason, TopologyRule};
 use crate::{ProgressFn, ignore_progress};
 
-/// What simplifying a part changes, in the numbering of the whole mesh.
+/// The changes of simplifying a part, in the numbering of the whole mesh.
 pub(super) struct PartResult {
     pub removed: Vec<u32>,
     /// Target of each removed position.
@@ -27,7 +27,7 @@ pub(super) struct PartResult {
 }
 
 /// The mesh of a part. Its positions are first those of the part itself, then those around it.
-struct Part {
+struct CellPart {
     positions: Vec<u32>,
     own_count: usize,
     welded: Welded,
@@ -38,7 +38,7 @@ struct Part {
 
 /// Simplifies a cell to half of its triangles.
 pub(super) fn simplify_part(
-    surface: &Surface<'_>,
+    surface: &DividedSurface<'_>,
     options: &SequenceOptions,
     (routed, cell): (&RoutedLevel, usize),
 ) -> Result<PartResult, SimplifyError> {
@@ -61,7 +61,7 @@ pub(super) fn simplify_part(
     let locked = own.iter().filter(|&&p| surface.is_locked[p as usize]).copied();
     let locked = locked.chain(corners()).map(number).collect();
     let positions = [own, &outside].concat();
-    let part = Part::new(surface, positions, own.len(), triangles, (inside.len(), locked));
+    let part = CellPart::new(surface, positions, own.len(), triangles, (inside.len(), locked));
     let options = SequenceOptions {
         base_triangle_count: border.len() + inside.len().div_ceil(2),
         topology: TopologyRule::Keep,
@@ -72,7 +72,7 @@ pub(super) fn simplify_part(
 
 /// Simplifies all that is left, to a number of triangles; `worst` is the largest error so far, mesh units.
 pub(super) fn simplify_rest(
-    surface: &Surface<'_>,
+    surface: &DividedSurface<'_>,
     options: &SequenceOptions,
     (wanted, worst): (usize, f32),
     progress: &mut ProgressFn<'_>,
@@ -85,14 +85,14 @@ pub(super) fn simplify_rest(
     let locked = positions.iter().filter(|&&p| surface.is_locked[p as usize]).map(|&p| number[p as usize]);
     let locked = locked.collect();
     let (own_count, inside_count) = (positions.len(), surface.triangles.len());
-    let part = Part::new(surface, positions, own_count, triangles, (inside_count, locked));
+    let part = CellPart::new(surface, positions, own_count, triangles, (inside_count, locked));
     let options = SequenceOptions { base_triangle_count: wanted, ..options.clone() };
     part.simplify(surface, options, worst, progress)
 }
 
-impl Part {
+impl CellPart {
     fn new(
-        surface: &Surface<'_>,
+        surface: &DividedSurface<'_>,
         positions: Vec<u32>,
         own_count: usize,
         triangles: Vec<[u32; 3]>,
@@ -112,7 +112,7 @@ impl Part {
 
     fn simplify(
         &self,
-        surface: &Surface<'_>,
+        surface: &DividedSurface<'_>,
         mut options: SequenceOptions,
         worst: f32,
         progress: &mut ProgressFn<'_>,

@@ -2,7 +2,11 @@
 
 use std::ops::Range;
 
-use super::{PartitionLevel, SAMPLES_PER_CELL, Surface, map};
+use super::surface::{DividedSurface, map};
+use crate::simplify::cells::PartitionLevel;
+
+/// Each cell has about this many samples, from which space is divided.
+const SAMPLES_PER_CELL: usize = 256;
 
 /// Positions whose cells are found at a time.
 const CHUNK: usize = 1 << 14;
@@ -14,21 +18,21 @@ pub(super) struct RoutedLevel {
     /// Number of each position among those of its cell.
     pub number_in_cell: Vec<u32>,
     /// Positions, and indices of triangles inside and at the border of each cell.
-    positions: Lists,
-    inside: Lists,
-    border: Lists,
+    positions: CellLists,
+    inside: CellLists,
+    border: CellLists,
     is_onward: Vec<bool>,
 }
 
-/// Lists of indices by cell, one after the other.
-struct Lists {
+/// CellLists of indices by cell, one after the other.
+struct CellLists {
     /// Start of each list, then the end of the last one.
     first: Vec<u32>,
     items: Vec<u32>,
 }
 
-impl Lists {
-    /// Lists items by cell, in the order in which `each` calls the function that it is given.
+impl CellLists {
+    /// CellLists items by cell, in the order in which `each` calls the function that it is given.
     fn new(cell_count: usize, each: impl Fn(&mut dyn FnMut(u32, u32))) -> Self {
         let mut first = vec![0u32; cell_count + 1];
         each(&mut |cell, _| first[cell as usize + 1] += 1);
@@ -52,7 +56,7 @@ impl Lists {
 }
 
 impl RoutedLevel {
-    pub(super) fn new(surface: &Surface<'_>, number: usize, cell_triangles: usize) -> Self {
+    pub(super) fn new(surface: &DividedSurface<'_>, number: usize, cell_triangles: usize) -> Self {
         let (triangles, is_removed) = (&surface.triangles, &surface.is_removed);
         let mesh = &surface.welded.mesh;
         let left: Vec<u32> = (0..is_removed.len() as u32).filter(|&p| !is_removed[p as usize]).collect();
@@ -70,18 +74,19 @@ impl RoutedLevel {
         let cells_of = |t: &[u32; 3]| t.map(|v| cell_of[v as usize]);
         let is_onward: Vec<bool> = triangles.iter().map(cells_of).map(|[a, b, c]| a != b || b != c).collect();
         let indexed = || (0..).zip(triangles).zip(&is_onward);
-        let inside = Lists::new(cell_count, |add| {
+        let inside = CellLists::new(cell_count, |add| {
             indexed()
                 .filter(|(_, is_onward)| !**is_onward)
                 .for_each(|((t, corners), _)| add(cells_of(corners)[0], t));
         });
-        let border = Lists::new(cell_count, |add| {
+        let border = CellLists::new(cell_count, |add| {
             for ((t, corners), _) in indexed().filter(|(_, is_onward)| **is_onward) {
                 let cells = cells_of(corners);
                 (0..3).filter(|&i| !cells[..i].contains(&cells[i])).for_each(|i| add(cells[i], t));
             }
         });
-        let positions = Lists::new(cell_count, |add| left.iter().for_each(|&p| add(cell_of[p as usize], p)));
+        let positions =
+            CellLists::new(cell_count, |add| left.iter().for_each(|&p| add(cell_of[p as usize], p)));
         let mut number_in_cell = vec![0; cell_of.len()];
         for cell in 0..cell_count {
             (0..).zip(positions.of(cell)).for_each(|(i, &p)| number_in_cell[p as usize] = i);
@@ -104,7 +109,7 @@ impl RoutedLevel {
     }
 
     /// Triangles that no cell may change.
-    pub(super) fn onward(&self, surface: &Surface<'_>) -> Vec<[u32; 3]> {
+    pub(super) fn onward(&self, surface: &DividedSurface<'_>) -> Vec<[u32; 3]> {
         surface
             .triangles
             .iter()
