@@ -118,7 +118,8 @@ export class Inspection {
     this.#select.disabled = scene === null || scene.kind === 'paged';
     this.#list();
     if (!scene || !first) return;
-    scene.finished.then(() => this.#scene === scene && this.#wanted === first && this.choose(first), () => undefined);
+    const begin = (): void => void (this.#scene === scene && this.#wanted === first && this.choose(first));
+    scene.finished.then(begin, () => undefined);
   }
 
   /** Shows a model, or the scene as it is. */
@@ -225,6 +226,8 @@ export class Inspection {
   #camera(): number[] | undefined {
     const { renderer, camera, pivot } = this.#stage;
     const size = renderer.getDrawingBufferSize(new Vector2());
+    // The camera may have moved since it last drew.
+    camera.updateMatrixWorld();
     const view = viewOf(this.#mesh ?? pivot, camera as Camera & PerspectiveCamera, size.x, size.y);
     return view?.kind === 'perspective' ? view.numbers : undefined;
   }
@@ -286,6 +289,8 @@ export class Inspection {
         this.#positions.set(this.#vertices.positions);
       }
       this.#draw(level);
+      // Another level may have been chosen meanwhile.
+      if (this.#morphed === null) this.#ask();
       return this.#morphed !== null;
     }
     this.#ask();

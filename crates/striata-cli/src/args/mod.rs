@@ -127,7 +127,7 @@ pub(crate) enum Verb {
     /// Serve a folder of models and the viewer over HTTP
     #[cfg(feature = "serve")]
     Serve(ServeArgs),
-    /// View a mesh, a scene or a folder of them in the browser, at any level
+    /// View a mesh, a scene or a folder of them in the browser
     #[cfg(feature = "serve")]
     View(PageArgs),
     /// Create a demo: levels, pictures and a viewer of a built-in mesh

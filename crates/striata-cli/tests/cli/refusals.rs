@@ -38,9 +38,9 @@ fn an_unknown_format_is_refused() {
 #[test]
 fn the_offending_line_is_shown() {
     let bench = Workbench::new();
-    bench.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 x\n");
+    bench.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
     let message = bench.refused("info bad.obj");
-    assert!(message.contains("line 4") && message.contains("4 | f 1 2 x"), "{message}");
+    assert!(message.contains("line 4") && message.contains("4 | f 1 2 9"), "{message}");
 }
 
 #[test]

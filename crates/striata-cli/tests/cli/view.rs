@@ -82,7 +82,11 @@ fn the_command_ends_when_its_page_is_closed() {
 fn a_folder_has_a_gallery_and_servers_stay() {
     let bench = Workbench::with_ball();
     let shown = Shown::start(&bench, &[]);
-    assert!(!shown.address().contains('?'), "{}", shown.address());
+    assert!(
+        shown.address().starts_with("http://127.0.0.1:") && !shown.address().contains('?'),
+        "{}",
+        shown.address()
+    );
     let program = assert_cmd::cargo::cargo_bin("striata");
     let server = striata_testing::server::Server::start(&program, &bench.path("."), &[]);
     let mut client = Connection::open(server.address).expect("it listens");

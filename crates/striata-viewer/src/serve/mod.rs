@@ -70,7 +70,9 @@ pub fn run(args: &ServeArgs, output: &Output) -> Result<(), Failure> {
 /// # Errors
 /// If it does not exist, or cannot be served.
 pub fn show(args: &PageArgs, output: &Output) -> Result<(), Failure> {
-    striata_command::input::Input::check_exists(&args.path)?;
+    if !args.path.is_dir() {
+        striata_command::input::Input::check_exists(&args.path)?;
+    }
     let options = Options::from(args);
     if args.path.is_dir() && !options.parameters.is_empty() {
         let message =
