@@ -55,6 +55,8 @@ pub(crate) fn check_triangles(
         Some(shapes) => format!("{points}, {shapes}"),
         None => points,
     };
+    // Triangles may be missing because something could not be read.
+    let found = warnings.fault().map_or(found.clone(), |fault| format!("{found} ({fault})"));
     Err(ReadError::NoTriangles { file: file(), found })
 }
 

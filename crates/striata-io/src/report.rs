@@ -184,6 +184,12 @@ impl Warnings {
         self.kept.iter().find(|w| w.kind == kind)
     }
 
+    /// Describes the first thing that could not be read, without the name of the file.
+    pub(crate) fn fault(&self) -> Option<String> {
+        let fault = self.kept.iter().find(|warning| warning.kind != WarningKind::SHAPES)?.to_string();
+        Some(fault.strip_prefix(&format!("{}: ", self.file)).unwrap_or(&fault).to_owned())
+    }
+
     /// Replaces the places, which were those in a part of the file.
     pub(crate) fn set_place(&mut self, place: &Place) {
         self.kept.iter_mut().for_each(|warning| warning.place = place.clone());

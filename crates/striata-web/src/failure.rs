@@ -1,6 +1,8 @@
 //! The error type of this crate: a code for programs, a message for people, and a hint if a remedy is known.
 
 use striata::file::DecodeError;
+#[cfg(feature = "encode")]
+use striata::model::ModelError;
 #[cfg(feature = "build")]
 use striata::simplify::SimplifyError;
 #[cfg(feature = "encode")]
@@ -140,6 +142,13 @@ impl From<ReadError> for Failure {
             | ReadError::Unsupported { .. } => Self::unsupported(error),
             _ => Self::corrupt(error),
         }
+    }
+}
+
+#[cfg(feature = "encode")]
+impl From<ModelError> for Failure {
+    fn from(error: ModelError) -> Self {
+        Self::unsupported(error)
     }
 }
 

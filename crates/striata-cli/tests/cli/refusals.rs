@@ -36,6 +36,17 @@ fn an_unknown_format_is_refused() {
 }
 
 #[test]
+fn a_file_without_triangles_says_what_could_not_be_read() {
+    let bench = Workbench::new();
+    bench.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 x\n");
+    let message = bench.refused("info bad.obj");
+    assert!(
+        message.contains("3 points (1 polygon left out, line 4: ") && message.contains("no triangles"),
+        "{message}"
+    );
+}
+
+#[test]
 fn the_offending_line_is_shown() {
     let bench = Workbench::new();
     bench.write("bad.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");

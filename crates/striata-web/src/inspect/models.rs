@@ -3,8 +3,8 @@
 use std::cell::OnceCell;
 
 use striata::file::{DecodeError, StriataFile};
-use striata::mesh::Steps;
-use striata::model::{Fans, LodModel, LodStrips, ModelKind, Mts, PartBytes, Patterns};
+use striata::mesh::{IndexedMesh, Steps};
+use striata::model::{Fans, LodModel, LodStrips, ModelKind, Mts, PartBytes, Patterns, StageOptions};
 use striata::strip::{StripSet, stripify};
 use striata_strip::{LiveStrips, RepairOptions};
 
@@ -69,7 +69,9 @@ impl InspectedModels {
     pub(super) fn lod_strips(&self, steps: &Steps) -> Result<&LodStrips<'static>, Failure> {
         made(&self.lod_strips, || {
             let refinable = steps.collapses().ok_or_else(without_collapses)?;
-            LodStrips::build(refinable, self.strips(steps)?).map_err(Failure::unsupported)
+            let of_level = |level: &IndexedMesh| stripify(level).map_err(Failure::corrupt);
+            // As strips of a mesh in memory: good strips at every level.
+            LodStrips::build_staged(refinable, self.strips(steps)?, &StageOptions::default(), of_level)
         })
     }
 
