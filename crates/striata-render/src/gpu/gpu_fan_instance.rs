@@ -83,7 +83,7 @@ impl GpuFanInstance {
     }
 
     /// Draw call for the extracted triangles. The shader learns their groups only if the device supports a
-    /// first instance in indirect draws ([`Gpu::optional_features`]).
+    /// first instance in indirect draws (`INDIRECT_FIRST_INSTANCE`).
     pub fn drawing(&self) -> Drawing<'_> {
         Drawing::Extracted {
             indices: &self.indices,

@@ -7,7 +7,7 @@
 //! [`Inspection`] draws individual triangles, colored by strip or fan, with their edges.
 //!
 //! [`LitPainter`] draws scenes with their materials instead of one look: metallic-roughness materials as in
-//! glTF, with textures, under an [`Environment`] and punctual lights. The readme has an example.
+//! glTF, with textures, under an [`Environment`](crate::Environment) and punctual lights. The readme has an example.
 //!
 //! Positions are stored relative to the middle of the bounds, so that a mesh far from the origin keeps its
 //! shape in 32 bits. Depth is reversed, from 1 at the near plane to 0 at infinity. The instance index tells
