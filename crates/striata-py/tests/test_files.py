@@ -94,7 +94,7 @@ def test_errors_of_files(tmp_path, torus):
         striata.save(torus, tmp_path / "a.ply")
     broken = tmp_path / "broken.off"
     broken.write_text("OFF\n3 1 0\n0 0 0\n1 0 x\n")
-    with pytest.raises(striata.DecodeError, match="line 4"):
+    with pytest.raises(striata.DecodeError, match="line 5"):
         striata.open(broken)
     (tmp_path / "what.bin").write_bytes(b"hello")
     with pytest.raises(striata.DecodeError):
