@@ -22,6 +22,8 @@ export default function models(world) {
     await openModel(world, page, 'spot.striata');
     await untilWhole(page);
     await slide(page, 'detail', 700);
+    await page.waitForFunction(() => window.striataViewer.model.triangleCount < window.striataViewer.model.fullTriangleCount);
+    await settled(page);
     const shown = await page.evaluate(() => window.striataViewer.model.triangleCount);
     for (const [model, primitive] of Object.entries({ list: null, lodstrips: 'Strips', 'live-strips': 'Strips', mts: 'Strips', fans: 'Fans', patterns: 'Fragments' })) {
       await choose(page, model);
