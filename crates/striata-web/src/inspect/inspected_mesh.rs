@@ -269,7 +269,7 @@ mod tests {
             assert_eq!((back.appearing_count, back.vertices.len()), (0, morph.vertices.len()), "{model}");
             assert_eq!(back.drawn.triangles.len(), morph.drawn.triangles.len());
             assert!(coarser.split_count < added);
-            assert_eq!(back.targets, morph.targets, "{model}: each returns to where it came from");
+            assert_eq!(back.targets, morph.targets, "{model}: the way back ends at the same vertices");
         }
     }
 

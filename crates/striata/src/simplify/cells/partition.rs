@@ -123,7 +123,7 @@ impl PartitionLevel {
         level
     }
 
-    /// Divides space for a level of a number, so that each cell has at most so many samples.
+    /// Divides space for the level with a number, into cells of at most `samples_per_cell`.
     pub(super) fn numbered(number: usize, samples: &[[f32; 3]], samples_per_cell: f64) -> Self {
         let turned = |rotation, _| normalized(product(rotation, normalized(TURN)));
         let rotation = (0..number).fold([1.0, 0.0, 0.0, 0.0], turned);

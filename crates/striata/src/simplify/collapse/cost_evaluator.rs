@@ -528,7 +528,7 @@ fn accumulated_cost(quadrics: &[Quadric], positions: &[[f32; 4]], v: u32, u: u32
     (quadrics[v as usize].at(at) + quadrics[u as usize].at(at)) as f32
 }
 
-/// Whether the connected parts of a mesh have at least so many triangles on average.
+/// Whether the connected parts of a mesh have at least this number of triangles on average.
 pub(in crate::simplify) fn has_large_parts(welded: &Welded, triangle_count: usize) -> bool {
     let mut part_count = welded.positions.position_count();
     let mut parts = DisjointSets::new(part_count);

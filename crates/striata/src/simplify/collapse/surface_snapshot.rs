@@ -4,7 +4,7 @@
 //! triangles of all parts are put into a tree. Collapses do not update the tree; it is rebuilt once
 //! half of its triangles are gone, so all builds together cost about two of the first. Between builds,
 //! queries return triangles that may have changed since; the parts that they belong to still exist, and
-//! those are what the caller needs. The tree is split only where it is searched, which is often nowhere.
+//! those are what the caller needs. The tree is split where it is searched; many are never searched.
 
 use std::cell::RefCell;
 

@@ -65,7 +65,7 @@ pub(in crate::simplify) fn simplify_in_cells(
     let mut steps = MergedSteps { triangle_count: welded.mesh.triangle_count(), ..MergedSteps::default() };
     steps.record.targets = vec![0; welded.mesh.vertex_count()];
     let total = welded.positions.position_count() as u64;
-    // Where a level ends, some steps that would come earlier are still to be done.
+    // At the end of a level, other cells may still have steps with smaller keys.
     let wanted = options.base_triangle_count / 2;
     let mut stop_reason = StopReason::TargetReached;
     for number in 0.. {
@@ -126,7 +126,7 @@ impl DividedSurface<'_> {
 }
 
 impl MergedSteps {
-    /// Sorts the steps by key, and ends where the options say.
+    /// Sorts the steps by key, and drops those after the limits of the options.
     fn merge(self, options: &SequenceOptions, last: StopReason) -> (CollapseRecord, StopReason) {
         let Self { record, keys, mut triangle_count } = self;
         // Keys are never negative, so their bits have the same order.

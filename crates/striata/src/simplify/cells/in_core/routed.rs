@@ -24,7 +24,7 @@ pub(super) struct RoutedLevel {
     is_onward: Vec<bool>,
 }
 
-/// CellLists of indices by cell, one after the other.
+/// Lists of indices by cell, one after the other.
 struct CellLists {
     /// Start of each list, then the end of the last one.
     first: Vec<u32>,
@@ -32,7 +32,7 @@ struct CellLists {
 }
 
 impl CellLists {
-    /// CellLists items by cell, in the order in which `each` calls the function that it is given.
+    /// Lists items by cell, in the order in which `each` calls the function that it is given.
     fn new(cell_count: usize, each: impl Fn(&mut dyn FnMut(u32, u32))) -> Self {
         let mut first = vec![0u32; cell_count + 1];
         each(&mut |cell, _| first[cell as usize + 1] += 1);
