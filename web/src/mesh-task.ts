@@ -161,6 +161,9 @@ export class MeshTask {
       case 'failed':
         this.#fail(fromPlain(report.error));
         break;
+      case 'damaged':
+        this.#mesh?.dispatchEvent({ type: 'error', error: fromPlain(report.error) });
+        break;
       case 'solid':
         this.#mesh?.becomeSolid();
         break;

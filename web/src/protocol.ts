@@ -88,6 +88,8 @@ export type Report =
   | { type: 'building'; share: number }
   /** Loading has failed. If no update was sent before, there is no mesh either. */
   | { type: 'failed'; error: PlainError }
+  /** Part of the mesh is damaged, and stays coarse. */
+  | { type: 'damaged'; error: PlainError }
   | { type: 'finished' }
   /** The backs of the triangles cannot be seen: they enclose bodies and face outward. */
   | { type: 'solid' };

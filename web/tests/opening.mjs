@@ -25,6 +25,19 @@ function farthest(page) {
   });
 }
 
+/** Lines of an OBJ file of waves: `side` squares a side, two triangles each. */
+function waves(side) {
+  const [vertices, faces] = [[], []];
+  for (let y = 0; y <= side; y += 1) {
+    for (let x = 0; x <= side; x += 1) {
+      vertices.push(`v ${x} ${y} ${(8 * Math.sin(x / 9) * Math.cos(y / 11)).toFixed(3)}`);
+      const [a, b] = [y * (side + 1) + x + 1, (y + 1) * (side + 1) + x + 1];
+      if (x < side && y < side) faces.push(`f ${a} ${a + 1} ${b + 1}`, `f ${a} ${b + 1} ${b}`);
+    }
+  }
+  return { vertices, faces };
+}
+
 /** Number of positions of the model whose vertices have one normal, and of those that have several. */
 function normals(page) {
   return page.evaluate(() => {
@@ -193,16 +206,35 @@ export default function opening(world) {
     assert.match(await page.locator('.notice').first().innerText(), /bytes/);
   });
 
+  pageTest(world, 'the first levels of a large .striata file are shown before the others', {}, async (page) => {
+    const { vertices, faces } = waves(330);
+    writeFileSync(at('waves.obj'), [...vertices, ...faces].join('\n'));
+    run('build', '-q', at('waves.obj'), '-o', at('waves.striata'));
+    await page.goto(world.url);
+    await page.evaluate(() => {
+      window.states = [];
+      const watch = () => {
+        const model = window.striataViewer.model;
+        if (model) window.states.push([model.complete, model.triangleCount, model.fullTriangleCount]);
+        if (!model?.complete) requestAnimationFrame(watch);
+      };
+      watch();
+    });
+    await drop(page, 'waves.striata', readFileSync(at('waves.striata')));
+    await opened(page, 'waves.striata');
+    await untilWhole(page);
+    await page.waitForFunction(() => window.states.at(-1)?.[0]);
+    const states = await page.evaluate(() => window.states);
+    const [complete, shown, full] = states[0];
+    assert.ok(!complete && shown > 0 && shown <= 50_000 && full === faces.length, `${states[0]}`);
+    await slide(page, 'detail', 1000);
+    await settled(page);
+    assert.equal((await state(page)).triangleCount, faces.length);
+    assert.equal((await normals(page)).sharp, 0);
+  });
+
   pageTest(world, 'a large plain file is shown before its levels are built', {}, async (page) => {
-    const side = 330;
-    const [vertices, faces] = [[], []];
-    for (let y = 0; y <= side; y += 1) {
-      for (let x = 0; x <= side; x += 1) {
-        vertices.push(`v ${x} ${y} ${(8 * Math.sin(x / 9) * Math.cos(y / 11)).toFixed(3)}`);
-        const [a, b] = [y * (side + 1) + x + 1, (y + 1) * (side + 1) + x + 1];
-        if (x < side && y < side) faces.push(`f ${a} ${a + 1} ${b + 1}`, `f ${a} ${b + 1} ${b}`);
-      }
-    }
+    const { vertices, faces } = waves(330);
     await page.goto(world.url);
     await drop(page, 'grid.obj', Buffer.from([...vertices, ...faces].join('\n')));
     await page.waitForFunction(() => window.striataViewer.model);

@@ -51,6 +51,16 @@ pub enum PagedError {
     },
 }
 
+impl PagedError {
+    /// The page that is damaged; [`None`] for errors that concern more than one page.
+    pub fn page(&self) -> Option<PageId> {
+        match self {
+            Self::Page { id, .. } | Self::Checksum { id } | Self::Mismatch { id, .. } => Some(*id),
+            _ => None,
+        }
+    }
+}
+
 /// Defect of a head.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum HeadDefect {

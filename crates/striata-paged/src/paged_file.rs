@@ -6,7 +6,7 @@ use striata::simplify::Target;
 
 use crate::levels::LevelState;
 use crate::{
-    Assembled, CutPages, Metadata, Page, PageBound, PagedError, PagedReader, Store, Want, assemble,
+    Assembled, CutPages, Metadata, Page, PageBound, PageId, PagedError, PagedReader, Store, Want, assemble,
     open_store,
 };
 
@@ -95,6 +95,11 @@ impl PagedFile {
     /// Numbers of requests, bytes and pages that have been read so far.
     pub fn statistics(&self) -> ReadStatistics {
         self.statistics
+    }
+
+    /// Withholds a damaged page, as [`PagedReader::withhold`] does; levels can then be read without it.
+    pub fn withhold(&mut self, id: PageId) -> bool {
+        self.reader.withhold(id)
     }
 
     /// Fetches everything that the reader wants now.

@@ -42,6 +42,7 @@ pub struct PagedReader {
     head_bytes: Vec<u8>,
     head: Option<ReadHead>,
     requested: BTreeSet<u32>,
+    withheld: BTreeSet<u32>,
     pages: BTreeMap<u32, Page>,
 }
 
@@ -92,6 +93,15 @@ impl PagedReader {
         self.requested.remove(&page);
     }
 
+    /// Withholds a damaged page: neither it nor a page that refines it is selected any more, so that levels stay coarse
+    /// there. Returns false if no level can do without the page, or if it is withheld already.
+    pub fn withhold(&mut self, id: PageId) -> bool {
+        let found = self.entries().find(|&(index, entry)| index > 0 && entry.id == id);
+        let Some((index, _)) = found else { return false };
+        self.evict(index);
+        self.withheld.insert(index)
+    }
+
     /// Requests pages; those that have been read already are not read again.
     pub fn request(&mut self, pages: impl IntoIterator<Item = u32>) {
         let count = self.page_count();
@@ -119,7 +129,7 @@ impl PagedReader {
         self.close(open)
     }
 
-    /// Adds all ancestors of pages, and the base page.
+    /// Adds all ancestors of pages, and the base page; leaves out withheld pages and those that refine them.
     ///
     /// Returns `None` if more of the directory must be read first: fetch what is wanted, and call it again.
     pub fn close(&mut self, pages: impl IntoIterator<Item = u32>) -> Option<Vec<u32>> {
@@ -138,7 +148,22 @@ impl PagedReader {
                 }
             }
         }
-        head.wanted_leaves.is_empty().then(|| selected.into_iter().collect())
+        if !head.wanted_leaves.is_empty() {
+            return None;
+        }
+        let mut left_out = self.withheld.clone();
+        // Until none is left that refines one of them; usually parents come first.
+        while !left_out.is_empty() {
+            let before = selected.len();
+            let refines = |page: &u32| head.entries[page].parents.iter().any(|parent| left_out.contains(parent));
+            let more: Vec<u32> = selected.iter().copied().filter(refines).collect();
+            left_out.extend(more);
+            selected.retain(|page| !left_out.contains(page));
+            if selected.len() == before {
+                break;
+            }
+        }
+        Some(selected.into_iter().collect())
     }
 
     /// Requests the parts of the directory that have pages with keys of at least `key`, and returns whether all of

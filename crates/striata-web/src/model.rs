@@ -4,7 +4,7 @@ use std::fmt;
 
 use striata::Target;
 #[cfg(feature = "files")]
-use striata::mesh::{FragmentedMesh, Steps};
+use striata::mesh::{FragmentedMesh, RefinableMesh, Steps};
 use striata::mesh::{IndexedMesh, PositionEdges};
 #[cfg(feature = "files")]
 use striata::model::Fans;
@@ -316,6 +316,17 @@ impl Model {
             },
             Steps::Fragments(fragmented) => of_fans(fragmented),
         };
+        Self::of_levels(levels)
+    }
+
+    /// Takes over the coarse levels of a mesh, the whole of which follows in another model.
+    #[cfg(feature = "files")]
+    pub(crate) fn of_first_levels(first: RefinableMesh, whole: &RefinableMesh) -> Option<Self> {
+        let order = StepOrder::of(&first)?;
+        Some(Self::of_levels(Box::new(PrefixModel::of_refinable(first, order).with_later_levels(whole))))
+    }
+
+    fn of_levels(levels: Box<dyn Leveled>) -> Self {
         let mut model = Self { levels, kind: InputKind::Striata, shown: ShownLevel::default() };
         model.show_detail(0.0);
         model

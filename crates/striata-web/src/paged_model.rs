@@ -61,6 +61,8 @@ pub struct PagedModel {
     file: Option<PagedFile>,
     mesh: IndexedMesh,
     shown: ShownLevel,
+    /// Damage that has not been taken.
+    damage: Option<Failure>,
 }
 
 #[wasm_bindgen]
@@ -69,7 +71,13 @@ impl PagedModel {
     #[wasm_bindgen(constructor)]
     pub fn new(name: &str) -> Self {
         let (mesh, shown) = (IndexedMesh::default(), ShownLevel::default());
-        Self { store: SuppliedStore::new(name), file: None, mesh, shown }
+        Self { store: SuppliedStore::new(name), file: None, mesh, shown, damage: None }
+    }
+
+    /// Takes the first damage that was found since the last call. Pages that are damaged are withheld: levels stay
+    /// coarse there.
+    pub fn take_damage(&mut self) -> Option<Failure> {
+        self.damage.take()
     }
 
     /// Takes the list of bytes that the last call lacked.
@@ -97,7 +105,7 @@ impl PagedModel {
     /// Shows the coarsest level whose error is at most this, mesh units.
     ///
     /// # Errors
-    /// If a page is damaged.
+    /// If pages contradict each other.
     pub fn show_error(&mut self, limit: f32) -> Result<bool, Failure> {
         self.show(|file| level_for(file, limit, |factor| everywhere(limit * factor)))
     }
@@ -105,7 +113,7 @@ impl PagedModel {
     /// Shows a level with at most this many triangles.
     ///
     /// # Errors
-    /// If a page is damaged.
+    /// If pages contradict each other.
     pub fn show_triangles(&mut self, limit: u32) -> Result<bool, Failure> {
         let limit = u64::from(limit).min(MAX_TRIANGLES);
         self.show(|file| match file.metadata().triangle_count <= limit {
@@ -118,7 +126,7 @@ impl PagedModel {
     /// Refines for a view, with its tolerance multiplied by `factor`.
     ///
     /// # Errors
-    /// If a page is damaged, or the camera sees nothing.
+    /// If pages contradict each other, or the camera sees nothing.
     pub fn show_view(&mut self, view: &View, factor: f32) -> Result<bool, Failure> {
         let criterion = view.criterion()?.relaxed(factor);
         let limit = view.triangle_limit as usize;
@@ -218,10 +226,17 @@ impl PagedModel {
 
     fn show(
         &mut self,
-        level: impl FnOnce(&mut PagedFile) -> Result<PagedCut, PagedError>,
+        level: impl Fn(&mut PagedFile) -> Result<PagedCut, PagedError>,
     ) -> Result<bool, Failure> {
         let Some(file) = &mut self.file else { return Err(Failure::unsupported("the file is not open")) };
-        let Some(cut) = arrived(&self.store, level(file))? else { return Ok(false) };
+        let mut found = level(file);
+        while let Err(error) = &found
+            && error.page().is_some_and(|page| file.withhold(page))
+        {
+            self.damage.get_or_insert_with(|| Failure::corrupt(error).with_hint("its part of the mesh stays coarse"));
+            found = level(file);
+        }
+        let Some(cut) = arrived(&self.store, found)? else { return Ok(false) };
         self.store.clear();
         let PagedCut { mut mesh, refined_count, error, .. } = cut;
         let triangles = std::mem::take(&mut mesh.triangles);

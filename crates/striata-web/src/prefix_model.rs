@@ -1,4 +1,4 @@
-//! A whole simplified mesh whose levels are prefixes of its vertices and triangles.
+//! A simplified mesh whose levels are prefixes of its vertices and triangles: the whole, or its first levels.
 
 use striata::Target;
 use striata::mesh::{AttributeLayer, Bounds, ColorSpace, steps_for_detail};
@@ -14,6 +14,14 @@ use crate::vertices::Vertices;
 use crate::view::View;
 use crate::{Failure, coloring, normals};
 
+/// Sizes of a mesh.
+#[derive(Clone, Copy, Debug)]
+struct Counts {
+    vertices: usize,
+    triangles: usize,
+    steps: usize,
+}
+
 /// Arrays of the mesh, and the hierarchy for views.
 #[derive(Debug, Default)]
 pub(crate) struct PrefixModel {
@@ -27,6 +35,8 @@ pub(crate) struct PrefixModel {
     groups: Vec<u32>,
     group_count: usize,
     color_space: ColorSpace,
+    /// What all levels have, if the later ones are missing.
+    whole: Option<Counts>,
     /// Made for the first view.
     hierarchy: Option<GrowingHierarchy>,
     cut: HierarchyCut,
@@ -111,10 +121,25 @@ impl PrefixModel {
         }
     }
 
+    /// Announces the levels of the whole mesh, of which the model has the coarse ones.
+    #[cfg(feature = "files")]
+    pub(crate) fn with_later_levels(mut self, RefinableMesh { mesh, sequence }: &RefinableMesh) -> Self {
+        // The finest level here has an error, too.
+        self.errors = sequence.errors().to_vec();
+        let (vertices, triangles) = (mesh.vertex_count(), mesh.triangle_count());
+        self.whole = Some(Counts { vertices, triangles, steps: sequence.step_count() });
+        self
+    }
+
+    /// Number of steps that the model has.
+    fn own_step_count(&self) -> usize {
+        self.added_counts.len()
+    }
+
     fn new_hierarchy(&mut self) -> GrowingHierarchy {
         let mut hierarchy = GrowingHierarchy::new();
         hierarchy.grow(&self.prefix(), &[], |step| self.error_at(step));
-        self.cut.limit_steps(self.step_count());
+        self.cut.limit_steps(self.own_step_count());
         hierarchy
     }
 
@@ -143,7 +168,7 @@ pub(crate) fn step_in(first_vertices: &[u32], step_count: usize, vertex: u32) ->
 
 impl Leveled for PrefixModel {
     fn is_complete(&self) -> bool {
-        true
+        self.whole.is_none()
     }
 
     fn vertex_count(&self) -> usize {
@@ -155,11 +180,12 @@ impl Leveled for PrefixModel {
     }
 
     fn full_counts(&self) -> (usize, usize) {
-        (self.vertex_count(), self.triangle_count())
+        let own = (self.vertex_count(), self.triangle_count());
+        self.whole.map_or(own, |whole| (whole.vertices, whole.triangles))
     }
 
     fn step_count(&self) -> usize {
-        self.added_counts.len()
+        self.whole.map_or(self.own_step_count(), |whole| whole.steps)
     }
 
     fn group_count(&self) -> usize {
@@ -180,18 +206,19 @@ impl Leveled for PrefixModel {
     }
 
     fn split_count_for(&self, target: Target) -> usize {
-        match target {
+        let wanted = match target {
             Target::Detail(detail) => steps_for_detail(detail, self.step_count()),
             Target::Triangles(limit) => self.prefix().split_count_for_triangles(limit),
             // Errors never rise with the split count.
             Target::Error(limit) => self.errors.partition_point(|&error| f64::from(error) > limit),
             // Pages ask for no others.
             _ => self.step_count(),
-        }
+        };
+        wanted.min(self.own_step_count())
     }
 
     fn triangle_count_at(&self, split_count: usize) -> usize {
-        self.prefix().triangle_count_at(split_count.min(self.step_count()))
+        self.prefix().triangle_count_at(split_count.min(self.own_step_count()))
     }
 
     fn error_at(&self, split_count: usize) -> f32 {
@@ -199,7 +226,7 @@ impl Leveled for PrefixModel {
     }
 
     fn step_of(&self, vertex: u32) -> Option<usize> {
-        step_in(&self.first_vertices, self.step_count(), vertex)
+        step_in(&self.first_vertices, self.own_step_count(), vertex)
     }
 
     fn show(&mut self, target: Target) -> ShownLevel {

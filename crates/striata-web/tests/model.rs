@@ -337,6 +337,35 @@ fn stored_scenes_have_the_levels_of_their_meshes() {
 }
 
 #[test]
+fn large_stored_files_show_their_first_levels_before_the_others() {
+    let mesh = shapes::torus(520, 200, 1.0, 0.4);
+    let refinable = build_sequence(&mesh, &SequenceOptions::default()).unwrap().refinable;
+    let bytes = to_striata(&refinable, &[], &WriteOptions::default()).unwrap();
+    let mut file = StoredFile::read(&bytes).unwrap();
+    let mut first = file.first_levels(0).unwrap();
+    let whole = file.take_mesh(0).unwrap();
+    assert!(!first.is_complete() && whole.is_complete());
+    assert_eq!(first.full_triangle_count(), mesh.triangle_count());
+    assert_eq!(first.step_count(), whole.step_count());
+    assert!(first.triangle_count() <= 50_000 && first.triangle_count() > 49_000);
+    for error in [0.1f64, 0.01] {
+        let split_count = refinable.sequence.split_count_for_error(error);
+        first.show_error(error);
+        assert_eq!(first.shown_split_count(), split_count);
+        assert_eq!(first.shown_error(), refinable.sequence.error_at(split_count));
+        assert_eq!(triangles(&first), canonical_triangles(&replay(&refinable, split_count).triangles));
+    }
+    // More than there is shows everything that there is.
+    first.show_detail(1.0);
+    assert_eq!(triangles(&first).len(), first.triangle_count());
+    assert!(first.shown_error() > 0.0);
+    first.show_view(&camera([9.0, 0.0, 0.0], 1.0, 0)).unwrap();
+    assert!(first.shown_split_count() > 0);
+    let layers = [first.vertices(0), whole.vertices(0)].map(|mut vertices| vertices.take_layer().unwrap().name());
+    assert_eq!(layers, ["NORMAL", "NORMAL"]);
+}
+
+#[test]
 fn damaged_stored_files_are_refused() {
     let lods = LodScene::build(&Scene::from_mesh(torus()).unwrap(), &LodOptions::default()).unwrap();
     let bytes = lods.to_striata(&WriteOptions::default()).unwrap();

@@ -2,7 +2,8 @@
  * Shows levels of a paged file, and fetches the pages that they need; runs in a worker or on the page.
  *
  * While pages are missing, the finest level that needs none of them is shown, and then finer ones until the request is met. A new
- * request cancels the downloads of the last one, except for those that it needs too.
+ * request cancels the downloads of the last one, except for those that it needs too. A damaged page is reported, and the mesh stays
+ * coarse there.
  */
 
 import { asPlain, asStriataError, isFailure } from '../error.ts';
@@ -231,6 +232,8 @@ export class PagedEngine {
       };
       this.#updateMs = performance.now() - start;
       this.#report(update);
+      const damage = model.take_damage();
+      if (damage) this.#report({ type: 'damaged', error: asPlain(asStriataError(damage)) });
     } finally {
       vertices.free();
     }

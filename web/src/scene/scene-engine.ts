@@ -91,7 +91,7 @@ export class SceneEngine {
         void this.#build(order.meshes, order.builder);
         break;
       case 'stored':
-        this.#reportErrors(() => this.#openStored(order.bytes, order.files));
+        void this.#openStored(order.bytes, order.files);
         break;
       case 'target':
         this.#target = order.target;
@@ -169,23 +169,51 @@ export class SceneEngine {
     if (mesh && others.length === 0 && mesh.model.is_solid()) this.#report({ type: 'solid' });
   }
 
-  /** Reads a whole file. */
-  #openStored(bytes: Uint8Array, files: WebAssembly.Module): void {
-    const start = performance.now();
-    startFiles(files);
-    const file = StoredFile.read(bytes);
-    const document = documentOf(file.take_document()!);
-    for (let index = 0; index < file.mesh_count; index++) {
-      const model = file.take_mesh(index);
-      this.#meshes.push(model && newMesh(model, StoredView));
+  /** Reads a whole file. Of a large one, the first levels are shown while the others are put in order. */
+  async #openStored(bytes: Uint8Array, files: WebAssembly.Module): Promise<void> {
+    this.#phase = 'decode';
+    let file: StoredFile | undefined;
+    const later: number[] = [];
+    this.#reportErrors(() => {
+      const start = performance.now();
+      startFiles(files);
+      file = StoredFile.read(bytes);
+      const document = documentOf(file.take_document()!);
+      for (let index = 0; index < file.mesh_count; index++) {
+        const first = file.first_levels(index);
+        if (first) later.push(index);
+        const model = first ?? file.take_mesh(index);
+        this.#meshes.push(model && newMesh(model, StoredView));
+      }
+      this.#decodeMs = performance.now() - start;
+      if (later.length === 0) this.#phase = 'done';
+      this.#report({ type: 'document', document, meshes: this.#updates(), state: this.#state() });
+    });
+    for (const index of later) {
+      // The first levels are drawn, and other targets arrive, between two meshes.
+      await yieldToEventLoop();
+      if (this.#isDisposed) break;
+      this.#reportErrors(() => this.#complete(index, file!));
     }
-    file.free();
-    this.#decodeMs = performance.now() - start;
+    file?.free();
+    if (this.#isDisposed) return;
     this.#hasEnded = true;
     this.#phase = 'done';
-    this.#report({ type: 'document', document, meshes: this.#updates(), state: this.#state() });
-    this.#report({ type: 'finished' });
-    this.#examine();
+    this.#reportErrors(() => {
+      if (later.length > 0) this.#postMeshes();
+      this.#report({ type: 'finished' });
+      this.#examine();
+    });
+  }
+
+  /** Replaces the first levels of a mesh by all of them. */
+  #complete(index: number, file: StoredFile): void {
+    const start = performance.now();
+    const model = file.take_mesh(index)!;
+    this.#meshes[index]?.model.free();
+    this.#meshes[index] = newMesh(model, StoredView);
+    this.#decodeMs += performance.now() - start;
+    if (performance.now() >= this.#nextUpdate) this.#postMeshes();
   }
 
   /** Decodes the queued bytes, then finishes if no more are coming. */

@@ -79,7 +79,7 @@ test('a paged file on a server is read in ranges', async () => {
   }
 });
 
-test('a damaged page is reported, and the coarse level stays', async () => {
+test('a damaged page is reported, and the mesh stays coarse there', async () => {
   const damaged = Uint8Array.from(file);
   for (let at = file.length - 5000; at < file.length; at += 100) damaged[at] ^= 0x55;
   const scene = await loader.open(damaged.buffer, { name: 'damaged.striata' });
@@ -89,6 +89,12 @@ test('a damaged page is reported, and the coarse level stays', async () => {
   await until(() => errors.length > 0);
   assert.match(errors[0].message, /page of level 0, cell 0: the checksum does not match/);
   assert.equal(errors[0].code, 'corrupt');
+  // What is not damaged is still refined, and coarser levels too.
+  await until(() => scene.complete);
+  const refined = scene.triangleCount;
+  assert.ok(refined > 0 && refined < scene.fullTriangleCount, `${refined} triangles`);
+  scene.detail = 0;
+  await until(() => scene.triangleCount < refined);
   scene.dispose();
   await assert.rejects(loader.open(file.buffer.slice(file.byteOffset, file.byteOffset + 100), { name: 'cut.striata' }), { code: 'corrupt' });
 });

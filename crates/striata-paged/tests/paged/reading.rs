@@ -97,6 +97,35 @@ fn withheld_pages_leave_a_coarser_mesh_without_cracks() {
 }
 
 #[test]
+fn levels_stay_coarse_where_a_page_is_damaged() {
+    let folder = TempDir::new().unwrap();
+    let path = build(&folder, BuildInput::Terrain(200), options(), 2);
+    let everywhere = DetailBox { min: [f32::MAX; 3], max: [f32::MAX; 3], error_outside: -1.0 };
+    let mut whole = open(&path);
+    let finest = whole.level_for(&everywhere).unwrap().mesh;
+    // A page that others refine, in the middle of the file.
+    let is_parent = |page: u32| whole.reader().entries().any(|(_, entry)| entry.parents.contains(&page));
+    let damaged = (1..whole.reader().page_count()).filter(|&page| is_parent(page)).last().unwrap();
+    let entry = whole.reader().entry(damaged).unwrap();
+    let mut bytes = std::fs::read(&path).unwrap();
+    let pages: u64 = whole.reader().entries().map(|(_, entry)| u64::from(entry.byte_count)).sum();
+    let first = bytes.len() - pages as usize + entry.offset as usize;
+    bytes[first + entry.byte_count as usize / 2] ^= 0x55;
+    std::fs::write(&path, bytes).unwrap();
+    let mut file = open(&path);
+    let error = file.level_for(&everywhere).unwrap_err();
+    assert_eq!(error.page(), Some(entry.id), "{error}");
+    assert!(file.withhold(entry.id) && !file.withhold(entry.id));
+    let level = file.level_for(&everywhere).unwrap();
+    assert!(level.mesh.triangle_count() < finest.triangle_count());
+    assert!(level.mesh.triangle_count() > finest.triangle_count() / 4);
+    assert!(level.error >= entry.error);
+    assert!(borders(&level.mesh) <= borders(&finest), "a crack");
+    let base = file.reader().entry(0).unwrap().id;
+    assert!(!file.withhold(base), "no level can do without the base");
+}
+
+#[test]
 fn levels_read_only_what_they_need() {
     let folder = TempDir::new().unwrap();
     let path = build(&folder, BuildInput::Terrain(300), options(), 2);

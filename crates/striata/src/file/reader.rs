@@ -12,7 +12,7 @@ use super::metadata_has_guaranteed_errors;
 use super::{DecodeError, SectionInfo, SectionKind, StreamCodec, Summary, Verify};
 use crate::mesh::{
     AttributeLayer, CollapseSequence, IndexedMesh, LevelTable, PositionIndex, RefinableMesh, SequenceParts,
-    Steps, TriangleGroup, layers_from_sorted, level_sources,
+    Steps, TriangleGroup, layers_from_sorted, level_sources, replay,
 };
 use crate::model::fans::FansParts;
 use crate::model::lod_strips::{LodStripsParts, StageHead};
@@ -549,10 +549,11 @@ impl<'a> StriataFile<'a> {
         Ok(mesh)
     }
 
-    /// Extracts one level as a separate mesh, using the first model in the file.
+    /// Extracts one level as a separate mesh, from the collapses in the file if there are any, else from its first
+    /// model.
     ///
     /// # Errors
-    /// [`DecodeError`] if the file has no model or no such level, or if any part is invalid.
+    /// [`DecodeError`] if the file has neither or no such level, or if any part is invalid.
     pub fn level(&self, split_count: usize) -> Result<IndexedMesh, DecodeError> {
         if let Some(steps) = self.mesh_of_stream()? {
             return read_stream::level(steps, split_count);
@@ -561,11 +562,9 @@ impl<'a> StriataFile<'a> {
         if split_count > step_count {
             return Err(DecodeError::SplitCount { split_count, step_count });
         }
-        if let Some(model) = self.lod_strips() {
-            return self.moved(&model?, split_count);
-        }
-        if let Some(model) = self.mts() {
-            return self.moved(&model?, split_count);
+        if self.has_collapses() {
+            // Checking the records of a model would take much longer.
+            return Ok(replay(&self.refinable_mesh()?, split_count));
         }
         if let Some(model) = self.fans() {
             return self.moved(&model?, split_count);
