@@ -68,9 +68,12 @@ const settle = async (model) => {
 Object.assign(window, { THREE, GLTFLoader, MeshoptDecoder, ...striata, renderer, scene, camera, draw, look, pixels, difference, settle, isReady: true });
 </script>`;
 
-/** Starts a server; `models` is served as `/models/`, at `rate` bytes per second if that is set. */
+/**
+ * Starts a server; `models` is served as `/models/`, ranges too, over a line of `rate` bytes per second that all answers share, each after
+ * `delay` milliseconds.
+ */
 export async function staticServer(models) {
-  const state = { rate: Infinity, sent: 0 };
+  const state = { rate: Infinity, delay: 0, sent: 0, requests: 0, freeAt: 0 };
   const server = createServer((request, response) => {
     const path = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
     if (path === '/') return response.setHeader('Content-Type', 'text/html').end(PAGE);
@@ -78,9 +81,14 @@ export async function staticServer(models) {
     const file = isModel ? join(models, path.slice('/models/'.length)) : join(web, path);
     if (path.includes('..') || !existsSync(file) || !statSync(file).isFile()) return response.writeHead(404).end();
     response.setHeader('Content-Type', TYPES[extname(file)] ?? 'application/octet-stream');
-    response.setHeader('Content-Length', statSync(file).size);
-    if (!isModel) return createReadStream(file).pipe(response);
-    return void send(file, response, state).catch(() => response.destroy());
+    const { size } = statSync(file);
+    const [, first, last] = /^bytes=(\d+)-(\d+)$/.exec(request.headers.range ?? '') ?? [];
+    const [start, end] = first === undefined ? [0, size - 1] : [Number(first), Math.min(Number(last), size - 1)];
+    if (first !== undefined) response.writeHead(206, { 'Content-Range': `bytes ${start}-${end}/${size}`, 'Content-Length': end + 1 - start });
+    else response.setHeader('Content-Length', size);
+    const read = (options) => createReadStream(file, { start, end, ...options });
+    if (!isModel) return read().pipe(response);
+    return void send(read, response, state).catch(() => response.destroy());
   });
   server.listen(0, '127.0.0.1');
   await once(server, 'listening');
@@ -91,14 +99,15 @@ export async function staticServer(models) {
   return { url: `http://127.0.0.1:${server.address().port}/`, state, close };
 }
 
-async function send(file, response, state) {
+async function send(read, response, state) {
+  state.requests += 1;
+  if (state.delay > 0) await new Promise((go) => setTimeout(go, state.delay));
   const highWaterMark = Number.isFinite(state.rate) ? Math.ceil((state.rate * PIECE_INTERVAL_MS) / 1000) : 1 << 16;
-  const start = performance.now();
-  let sent = 0;
-  for await (const piece of createReadStream(file, { highWaterMark })) {
-    const due = start + (1000 * sent) / state.rate;
+  for await (const piece of read({ highWaterMark })) {
+    if (response.destroyed) return;
+    const due = Math.max(performance.now(), state.freeAt);
+    state.freeAt = due + (1000 * piece.length) / state.rate;
     if (due > performance.now()) await new Promise((go) => setTimeout(go, due - performance.now()));
-    sent += piece.length;
     state.sent += piece.length;
     response.write(piece);
   }
