@@ -59,15 +59,17 @@ async function measure(server, view) {
       note('first');
       for (const pixels of [2, 1]) {
         model.pixelError = pixels;
-        let last = -1;
-        for (let quiet = 0; quiet < 8; ) {
+        let last = model.triangleCount;
+        for (let quiet = 0; quiet < 30; quiet++) {
+          // Choosing a level takes no drawing, which would take long without a graphics card.
           scene.traverse((mesh) => mesh.onBeforeRender?.(renderer, scene, camera));
           await new Promise((go) => setTimeout(go, 50));
-          quiet = model.complete && model.triangleCount === last ? quiet + 1 : 0;
-          if (model.triangleCount !== last) note(`on the way to ${pixels} px`);
-          last = model.triangleCount;
+          if (!model.complete) quiet = 0;
+          if (model.triangleCount === last) continue;
+          note(`on the way to ${pixels} px`);
+          [quiet, last] = [0, model.triangleCount];
         }
-        note(`${pixels} px`);
+        seen.steps.at(-1).what = `${pixels} px`;
       }
       return seen;
     }, [basename(path), view]);

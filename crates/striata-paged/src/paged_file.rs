@@ -160,6 +160,8 @@ impl PagedFile {
     /// Reads pages, unless they have been read.
     fn load(&mut self, pages: &[u32]) -> Result<(), PagedError> {
         self.make_room(pages);
+        // Another level may have been given up because its bytes were missing.
+        self.reader.cancel_requests();
         self.reader.request(pages.iter().copied());
         self.fetch()
     }

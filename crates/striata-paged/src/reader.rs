@@ -93,6 +93,11 @@ impl PagedReader {
         self.requested.remove(&page);
     }
 
+    /// Forgets the requests of pages that have not arrived.
+    pub fn cancel_requests(&mut self) {
+        self.requested.retain(|page| self.pages.contains_key(page));
+    }
+
     /// Withholds a damaged page: neither it nor a page that refines it is selected any more, so that levels stay coarse
     /// there. Returns false if no level can do without the page, or if it is withheld already.
     pub fn withhold(&mut self, id: PageId) -> bool {
@@ -155,7 +160,8 @@ impl PagedReader {
         // Until none is left that refines one of them; usually parents come first.
         while !left_out.is_empty() {
             let before = selected.len();
-            let refines = |page: &u32| head.entries[page].parents.iter().any(|parent| left_out.contains(parent));
+            let refines =
+                |page: &u32| head.entries[page].parents.iter().any(|parent| left_out.contains(parent));
             let more: Vec<u32> = selected.iter().copied().filter(refines).collect();
             left_out.extend(more);
             selected.retain(|page| !left_out.contains(page));

@@ -233,7 +233,9 @@ impl PagedModel {
         while let Err(error) = &found
             && error.page().is_some_and(|page| file.withhold(page))
         {
-            self.damage.get_or_insert_with(|| Failure::corrupt(error).with_hint("its part of the mesh stays coarse"));
+            self.damage.get_or_insert_with(|| {
+                Failure::corrupt(error).with_hint("its part of the mesh stays coarse")
+            });
             found = level(file);
         }
         let Some(cut) = arrived(&self.store, found)? else { return Ok(false) };

@@ -361,7 +361,8 @@ fn large_stored_files_show_their_first_levels_before_the_others() {
     assert!(first.shown_error() > 0.0);
     first.show_view(&camera([9.0, 0.0, 0.0], 1.0, 0)).unwrap();
     assert!(first.shown_split_count() > 0);
-    let layers = [first.vertices(0), whole.vertices(0)].map(|mut vertices| vertices.take_layer().unwrap().name());
+    let layers =
+        [first.vertices(0), whole.vertices(0)].map(|mut vertices| vertices.take_layer().unwrap().name());
     assert_eq!(layers, ["NORMAL", "NORMAL"]);
 }
 

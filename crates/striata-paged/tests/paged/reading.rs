@@ -305,6 +305,26 @@ fn with_bytes<T>(store: &SuppliedStore, file: &[u8], mut act: impl FnMut() -> Re
 }
 
 #[test]
+fn a_coarse_level_does_not_wait_for_the_pages_of_a_finer_one() {
+    let folder = TempDir::new().unwrap();
+    let path = build(&folder, BuildInput::Terrain(200), options(), 2);
+    let bytes = std::fs::read(&path).unwrap();
+    let store = SuppliedStore::new("terrain");
+    let mut file = with_bytes(&store, &bytes, || PagedFile::with_store(Box::new(store.clone())));
+    store.clear();
+    let byte_count = |store: &SuppliedStore| {
+        store.take_wants().iter().map(|want| want.range.end - want.range.start).sum::<u64>()
+    };
+    let level = |error_outside| DetailBox { min: [f32::MAX; 3], max: [f32::MAX; 3], error_outside };
+    assert!(file.level_for(&level(0.0)).is_err());
+    let all = byte_count(&store);
+    let error = file.metadata().diagonal() as f32 / 100.0;
+    assert!(file.level_for(&level(error)).is_err());
+    let some = byte_count(&store);
+    assert!(some > 0 && some < all / 2, "{some} of {all} bytes");
+}
+
+#[test]
 fn levels_do_not_depend_on_who_fetches_the_bytes() {
     let folder = TempDir::new().unwrap();
     let path = build(&folder, BuildInput::Terrain(150), options(), 1);
