@@ -5,7 +5,7 @@ use striata::file::SCENE_STREAM_MAGIC;
 use striata::mesh::{Appearance, IndexedMesh, Material};
 use striata::simplify::Target;
 use striata::{Lod, LodOptions, ProgressFn};
-use striata_io::{Format, Scene, losses, lost_group_names, mesh_data, read_scene_bytes};
+use striata_io::{Format, Scene, lost_group_names, mesh_data, read_scene_bytes};
 use striata_scene::file::{SceneFile, is_scene_file};
 use striata_scene::glb_stream::STREAM_EXTENSION;
 use striata_scene::stream::{SceneStreamDecoder, SceneStreamInfo};
@@ -375,14 +375,13 @@ fn say_textures(report: &TextureReport, output: &Output) {
     output.say(&format!("textures: {count} re-encoded, {before} -> {after}{unchanged}"));
 }
 
-/// Returns a scene with one node that shows everything in the input as one mesh, and warns of what scenes cannot
+/// Returns a scene with one node that shows everything in the input as one mesh, and warns of names that scenes cannot
 /// hold; `file` is the name of the output.
 ///
 /// # Errors
 /// If the input is malformed.
 pub fn flat_scene(input: &Input, file: &str, output: &Output) -> Result<Scene, Failure> {
     let mesh = input.mesh(output)?;
-    output.warn_of_losses(&losses(Format::Glb, &mesh, file));
     output.warn_of_losses(&lost_group_names(&mesh, file));
     Scene::from_mesh(mesh).map_err(|error| Failure::user(format!("{}: {error}", input.name)))
 }

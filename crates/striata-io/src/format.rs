@@ -201,14 +201,15 @@ impl Format {
         if bytes.starts_with(b"PK\x03\x04") && names_model_part(bytes) {
             return Some(Self::ThreeMf);
         }
-        if bytes.starts_with(b"ply") && bytes.get(3).is_some_and(u8::is_ascii_whitespace) {
+        let head = &bytes[..bytes.len().min(EXAMINED_BYTES)];
+        let text = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head);
+        let is_ply = text.get(..3).is_some_and(|word| word.eq_ignore_ascii_case(b"ply"));
+        if is_ply && text.get(3).is_some_and(u8::is_ascii_whitespace) {
             return Some(Self::Ply);
         }
         if is_binary_stl(bytes) {
             return Some(Self::Stl);
         }
-        let head = &bytes[..bytes.len().min(EXAMINED_BYTES)];
-        let text = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head);
         if head.starts_with(b"# vtk DataFile Version") {
             return Some(Self::Vtk);
         }

@@ -184,7 +184,7 @@ pub use gltf_json::texcoord_scale;
 pub use lod::{open, save};
 pub use lost_data::losses;
 #[cfg(feature = "gltf")]
-pub use lost_data::lost_group_names;
+pub use lost_data::{lost_group_names, scene_losses};
 #[cfg(not(target_family = "wasm"))]
 pub use read::{read, read_with_report};
 pub use read::{read_bytes, read_bytes_with_report};

@@ -25,9 +25,17 @@ pub(crate) fn of_layers(
 pub(crate) fn of_materials(mesh: &IndexedMesh, format: Format, warnings: &mut Warnings) {
     for material in used_materials(mesh) {
         let Some(known) = mesh.appearance.materials.get(material) else { continue };
-        let name = shortened(&known.name);
-        warnings.push(Place::File, format!("{format} cannot store the material `{name}`; it is left out"));
+        let label = label(material, &known.name);
+        warnings.push(Place::File, format!("{format} cannot store the material {label}; it is left out"));
     }
+}
+
+/// Returns the name of a material for messages; its number if it has no name.
+pub(crate) fn label(material: usize, name: &str) -> String {
+    if name.trim().is_empty() {
+        return format!("number {material}, which has no name");
+    }
+    format!("`{}`", shortened(name))
 }
 
 /// Warns about coordinates that single precision rounds, by how much.

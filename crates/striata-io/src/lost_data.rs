@@ -33,6 +33,39 @@ pub fn losses(format: Format, mesh: &IndexedMesh, file: &str) -> Vec<Warning> {
     warnings.into_list()
 }
 
+/// Returns a remark on each property of the meshes of a scene that a file of this format does not hold as it is; `file` is
+/// its name for messages. 3MF is not among the formats: its writer says so itself.
+#[cfg(feature = "gltf")]
+pub fn scene_losses(format: Format, scene: &crate::Scene, file: &str) -> Vec<Warning> {
+    let mut warnings = Warnings::of_file(file);
+    for mesh in scene.meshes().iter().flatten() {
+        match format {
+            Format::Gltf | Format::Glb => warn(format, mesh, &mut warnings),
+            Format::Striata | Format::ThreeMf => {}
+            Format::Stream => warn_of_faces(mesh, "the stream of a scene", &mut warnings),
+            _ => {
+                let medium = "a scene that becomes one mesh";
+                for layer in mesh.layers.iter().filter(|layer| crate::gltf::is_unstorable(mesh, layer)) {
+                    let name = name_of(layer);
+                    let reason =
+                        format!("the property {name} of vertices is left out: {medium} cannot have it");
+                    warnings.push(Place::File, reason);
+                }
+                warn_of_faces(mesh, medium, &mut warnings);
+            }
+        }
+    }
+    warnings.into_list()
+}
+
+#[cfg(feature = "gltf")]
+fn warn_of_faces(mesh: &IndexedMesh, medium: &str, warnings: &mut Warnings) {
+    for layer in &mesh.triangle_layers {
+        let reason = format!("the property {} of faces is left out: {medium} cannot have it", name_of(layer));
+        warnings.push(Place::File, reason);
+    }
+}
+
 /// Returns a remark on the names of groups, which [`Scene::from_mesh`](crate::Scene::from_mesh) does not keep; `file`
 /// is the name of the file for messages.
 #[cfg(feature = "gltf")]

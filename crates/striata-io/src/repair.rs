@@ -45,7 +45,11 @@ pub(crate) fn check_triangles(
         return Ok(());
     }
     if triangles > 0 {
-        let lost = warnings.first_of(TRIANGLES).map_or(String::new(), |lost| lost.reason.clone());
+        let mut lost = warnings.first_of(TRIANGLES).map_or(String::new(), |lost| lost.reason.clone());
+        // The first value that is no number says more than what became of it.
+        if let Some(word) = warnings.first_of(WarningKind::WORDS) {
+            lost += &format!(" ({}: {})", word.place, word.reason);
+        }
         return Err(ReadError::NothingLeft { file: file(), reason: lost });
     }
     let points = with_commas(vertices as u64);

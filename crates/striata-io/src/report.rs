@@ -106,7 +106,7 @@ impl Warnings {
     }
 
     /// Continues a list.
-    #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
+    #[cfg(any(feature = "gltf", all(feature = "pieces", not(target_family = "wasm"))))]
     pub(crate) fn of_list(file: &str, kept: Vec<Warning>) -> Self {
         Self { file: file.to_owned(), kept, omitted_count: 0 }
     }

@@ -7,6 +7,7 @@
 
 #[cfg(any(feature = "obj", feature = "stl", feature = "off"))]
 use std::borrow::Cow;
+use std::str::FromStr;
 
 use crate::error::Fault;
 
@@ -29,7 +30,7 @@ pub(crate) fn plain(bytes: &[u8]) -> Cow<'_, [u8]> {
 }
 
 /// Returns a text without its byte order mark, and without Ctrl-Z and zeros at its end.
-#[cfg(any(feature = "obj", feature = "stl", feature = "off"))]
+#[cfg(any(feature = "ply", feature = "obj", feature = "stl", feature = "off"))]
 pub(crate) fn trimmed(bytes: &[u8]) -> &[u8] {
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let length = text.iter().rposition(|b| !matches!(b, 0x1a | 0)).map_or(0, |last| last + 1);
@@ -52,7 +53,7 @@ pub(crate) fn has_lone_returns(text: &[u8]) -> bool {
 }
 
 /// Replaces carriage returns by line feeds, unless one follows; `is_followed` says so for the last byte.
-#[cfg(any(feature = "obj", feature = "stl", feature = "off"))]
+#[cfg(any(feature = "ply", feature = "obj", feature = "stl", feature = "off"))]
 pub(crate) fn with_line_feeds(text: &mut [u8], is_followed: bool) {
     let mut next = if is_followed { b'\n' } else { 0 };
     for byte in text.iter_mut().rev() {
@@ -283,10 +284,8 @@ impl<'a> Cursor<'a> {
     #[cold]
     fn unusual_number(&mut self) -> Result<TextNumber<'a>, Fault> {
         let word = self.word();
-        let text = std::str::from_utf8(word).ok();
-        match text.and_then(|t| t.parse::<f32>().ok()) {
+        match parsed::<f32>(word) {
             Some(_) => Ok(TextNumber { decimal: None, text: word }),
-            None if is_not_finite(word) => Ok(TextNumber { decimal: None, text: word }),
             None => Err(self.fault(format!("expected a number, found {}", quoted(word)))),
         }
     }
@@ -342,6 +341,30 @@ impl<'a> Cursor<'a> {
         }
     }
 
+    /// Reads a number that should be an integer; returns the nearest one, and what is wrong with the word if it is
+    /// something else.
+    #[cfg(feature = "ply")]
+    pub(crate) fn nearest_integer(&mut self) -> (i64, Option<Fault>) {
+        match self.short_integer() {
+            Some(value) => (value, None),
+            None => self.unusual_nearest(),
+        }
+    }
+
+    #[cfg(feature = "ply")]
+    #[cold]
+    fn unusual_nearest(&mut self) -> (i64, Option<Fault>) {
+        let mut before = self.clone();
+        match self.unusual_integer() {
+            Ok(value) => (value, None),
+            Err(fault) => {
+                let nearest = parsed::<f64>(before.word()).map_or(0, |x| x.round() as i64);
+                self.at = before.at;
+                (nearest, Some(fault))
+            }
+        }
+    }
+
     /// Reads digits with a sign; reads nothing but blanks if it is something else.
     fn short_integer(&mut self) -> Option<i64> {
         self.skip_blanks();
@@ -377,8 +400,7 @@ impl<'a> Cursor<'a> {
         if scan_digits(digits, 0, 0).1 > LONGEST {
             return Err(self.fault(format!("the whole number {} is too long", quoted(word))));
         }
-        let parsed = std::str::from_utf8(word).ok().and_then(|t| t.parse::<f64>().ok());
-        match parsed.filter(|x| x.fract() == 0.0 && x.abs() < 1e15) {
+        match parsed::<f64>(word).filter(|x| x.fract() == 0.0 && x.abs() < 1e15) {
             Some(x) => Ok(x as i64),
             None => Err(self.fault(format!("expected a whole number, found {}", quoted(word)))),
         }
@@ -389,6 +411,20 @@ impl<'a> Cursor<'a> {
 #[inline]
 fn ends_number(byte: u8) -> bool {
     byte.is_ascii_whitespace() || byte == b'/' || byte == b'\\' || byte == 0x0b
+}
+
+/// Parses a word as a number. Values that are not finite are NaN as some programs print them, and exponents may begin
+/// with the `D` of Fortran.
+pub(crate) fn parsed<T: FromStr>(word: &[u8]) -> Option<T> {
+    let text = std::str::from_utf8(word).ok()?;
+    if let Ok(number) = text.parse() {
+        return Some(number);
+    }
+    if is_not_finite(word) {
+        return "nan".parse().ok();
+    }
+    let (digits, exponent) = text.split_once(['d', 'D'])?;
+    format!("{digits}e{exponent}").parse().ok()
 }
 
 /// Whether a word is what some program prints for a value that is not finite: `-nan(ind)`, `1.#QNAN`,
@@ -449,7 +485,7 @@ impl TextNumber<'_> {
     pub(crate) fn to_f32(self) -> f32 {
         match self.decimal.and_then(Decimal::to_f32) {
             Some(value) => value,
-            None => self.parsed().unwrap_or(f32::NAN),
+            None => parsed(self.text).unwrap_or(f32::NAN),
         }
     }
 
@@ -463,7 +499,7 @@ impl TextNumber<'_> {
                     magnitude
                 }
             }
-            None => self.parsed().unwrap_or(f64::NAN),
+            None => parsed(self.text).unwrap_or(f64::NAN),
         }
     }
 
@@ -490,16 +526,12 @@ impl TextNumber<'_> {
     #[cold]
     fn power_of_last_place(self) -> Option<f64> {
         let text = std::str::from_utf8(self.text).ok()?;
-        let (digits, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+        let (digits, exponent) = text.split_once(['e', 'E', 'd', 'D']).unwrap_or((text, "0"));
         let places = digits.split_once('.').map_or(0, |(_, fraction)| fraction.len());
         let places = i64::try_from(places).ok()?.checked_sub(exponent.parse().ok()?)?;
         // The zeros at the end of a large integer are not digits that its writer knew.
         let zeros = if places == 0 { digits.len() - digits.trim_end_matches('0').len() } else { 0 };
         format!("1e{}", places - zeros as i64).parse().ok()
-    }
-
-    fn parsed<T: std::str::FromStr>(self) -> Option<T> {
-        std::str::from_utf8(self.text).ok()?.parse().ok()
     }
 
     /// Returns `1 - self`, subtracted in decimal if possible, so that nothing is lost.
@@ -519,8 +551,7 @@ impl TextNumber<'_> {
                 return value;
             }
         }
-        let value: f64 = std::str::from_utf8(self.text).ok().and_then(|t| t.parse().ok()).unwrap_or(f64::NAN);
-        (1.0 - value) as f32
+        (1.0 - parsed(self.text).unwrap_or(f64::NAN)) as f32
     }
 }
 
@@ -543,7 +574,7 @@ fn scan_decimal(bytes: &[u8]) -> (Option<Decimal>, usize) {
     if digit_count == 0 || digit_count > LONGEST {
         return (None, at);
     }
-    if matches!(bytes.get(at), Some(b'e' | b'E')) {
+    if matches!(bytes.get(at), Some(b'e' | b'E' | b'd' | b'D')) {
         let Some((power, length)) = scan_exponent(&bytes[at + 1..]) else { return (None, at) };
         exponent += power;
         at += 1 + length;
@@ -734,6 +765,28 @@ mod tests {
         assert_eq!(Cursor::new(b"3.0 ").integer().unwrap(), 3);
         for word in ["", "1.5", "99999999999999999999", "x", "-"] {
             assert!(Cursor::new(word.as_bytes()).integer().is_err(), "{word}");
+        }
+    }
+
+    #[test]
+    fn exponents_of_fortran_are_read() {
+        for word in
+            ["1.25D+02", "1.25d2", "-.5D0", "123456789012345678901D-18", "0.1000000014901161193847D+0"]
+        {
+            let expected = word.replace(['d', 'D'], "e");
+            assert_eq!(read(word), expected.parse::<f32>().unwrap(), "{word}");
+            assert_eq!(
+                Cursor::new(word.as_bytes()).f64().unwrap(),
+                expected.parse::<f64>().unwrap(),
+                "{word}"
+            );
+        }
+        let mut cursor = Cursor::new(b"5.000000123D+05");
+        cursor.coordinate().unwrap();
+        assert!(cursor.has_long_coordinates());
+        assert_eq!(Cursor::new(b"3.0D+00").integer().unwrap(), 3);
+        for word in ["1D", "D2", "1D2D3", "D", "0d-"] {
+            assert!(Cursor::new(word.as_bytes()).f32().is_err(), "{word}");
         }
     }
 

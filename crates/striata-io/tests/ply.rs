@@ -6,7 +6,7 @@ use meshes::{read, refused, round_trip, sheet, square, square_with_everything, w
 use ply_rs_bw::parser::Parser;
 use ply_rs_bw::ply::{DefaultElement, Property};
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
-use striata_io::{Format, WriteOptions, to_bytes};
+use striata_io::{Format, Source, WriteOptions, read_bytes_with_report, to_bytes};
 
 #[test]
 fn a_round_trip_keeps_every_layer() {
@@ -90,8 +90,14 @@ fn foreign_properties_and_elements_are_tolerated() {
     let texcoords = [[0.5, 0.75].repeat(5), [0.0, 1.0].repeat(3)].concat();
     assert_eq!(mesh.layer(&Semantic::TexCoord(0)).unwrap().data, LayerData::F32(texcoords));
     assert!(mesh.check().is_ok());
-    let message = refused("x.ply", FOREIGN.as_bytes());
-    assert!(message.contains("line 29: 4000000000 does not fit into a int"), "{message}");
+    // A number that does not fit its type becomes the nearest one that does.
+    let report = read_bytes_with_report(FOREIGN.as_bytes(), &Source::new("x.ply")).unwrap();
+    let texts: Vec<String> = report.warnings.iter().map(ToString::to_string).collect();
+    let expected =
+        "x.ply: 1 value out of range, line 29: 4000000000 does not fit into a int; it becomes 2147483647";
+    assert!(texts.iter().any(|text| text == expected), "{texts:?}");
+    let flags = report.mesh.layer(&Semantic::Generic("flags".to_owned())).unwrap();
+    assert_eq!(flags.data, LayerData::I32(vec![7, 7, 7, i32::MAX, 7, i32::MAX, 7, 7]));
 }
 
 /// A binary file with every unusual type, in either byte order.

@@ -110,6 +110,90 @@ fn parts_of_one_vertex_buffer_share_it_again() {
     assert_eq!(corners(&again(&glb)), corners(&scene));
 }
 
+/// One mesh with a primitive for each color, all over the same accessors.
+fn colors_of_one_mesh(count: usize) -> TestScene {
+    let mut scene = colors(count);
+    let of = |mesh: &Value| mesh["primitives"][0].clone();
+    let primitives: Vec<Value> = scene.document["meshes"].as_array().into_iter().flatten().map(of).collect();
+    scene.document["meshes"] = json!([{ "primitives": primitives }]);
+    show_all(&mut scene);
+    scene
+}
+
+#[test]
+fn primitives_that_share_accessors_share_them_again() {
+    let sample = colors_of_one_mesh(20);
+    let scene = read(&sample);
+    let glb = written(&scene, &WriteOptions::default());
+    assert_eq!(again(&glb).meshes(), scene.meshes());
+    assert!(glb.len() as f64 <= 1.05 * sample.to_glb().len() as f64);
+    // Equal vertices of the primitives, as after simplification.
+    let mut mesh = scene.meshes()[0].clone().expect("triangles");
+    let count = mesh.vertex_count() as u32;
+    let all: Vec<u32> = (0..20).flat_map(|_| 0..count).collect();
+    for (number, group) in (0..).zip(mesh.groups.clone()) {
+        let own = mesh.triangles[group.range()].iter_mut().flatten();
+        own.for_each(|vertex| *vertex += number * count);
+    }
+    mesh.positions = all.iter().map(|&v| mesh.positions[v as usize]).collect();
+    mesh.layers = mesh.layers.iter().map(|layer| layer.gather(&all)).collect();
+    let copied = scene.clone().with_meshes(vec![Some(mesh)]).expect("the groups are the same");
+    let again = written(&copied, &WriteOptions::default());
+    assert_eq!(again.len(), glb.len());
+}
+
+#[test]
+fn attributes_that_meshes_share_are_stored_once() {
+    let mut sample = colors(6);
+    for mesh in 0..6u8 {
+        let count = shapes::icosphere(3, 1.0).vertex_count();
+        let view = sample.push_view(&vec![mesh; 4 * count]);
+        let accessor = json!({
+            "bufferView": view, "componentType": 5121, "count": count, "type": "VEC4", "normalized": true,
+        });
+        let accessor = sample.push("accessors", accessor);
+        sample.document["meshes"][mesh as usize]["primitives"][0]["attributes"]["COLOR_0"] = json!(accessor);
+    }
+    let scene = read(&sample);
+    let glb = written(&scene, &WriteOptions::default());
+    let document = document(&glb);
+    let attribute =
+        |mesh: usize, name: &str| document["meshes"][mesh]["primitives"][0]["attributes"][name].clone();
+    for mesh in 1..6 {
+        assert_eq!(attribute(mesh, "POSITION"), attribute(0, "POSITION"));
+        assert_ne!(attribute(mesh, "COLOR_0"), attribute(0, "COLOR_0"));
+    }
+    assert!(glb.len() as f64 <= 1.05 * sample.to_glb().len() as f64);
+    assert_eq!(again(&glb).meshes(), scene.meshes());
+}
+
+#[test]
+fn many_meshes_of_a_few_vertices_share_views_and_vertices() {
+    let mut sample = scenes::empty();
+    for number in 0..200 {
+        let mut part = shapes::grid(1, 1);
+        part.positions.iter_mut().for_each(|p| p[0] += 3.0 * number as f32);
+        sample.push_mesh("part", &part);
+    }
+    show_all(&mut sample);
+    let scene = read(&sample);
+    for options in
+        [WriteOptions::default(), WriteOptions::default().with_quantize(QuantizeOptions::default())]
+    {
+        let glb = written(&scene, &options);
+        let document = document(&glb);
+        let length = |key: &str| document[key].as_array().map_or(0, Vec::len);
+        assert!(length("bufferViews") < 8 && length("accessors") < 210, "{} views", length("bufferViews"));
+        let (written, read) = (glb.len(), sample.to_glb().len());
+        assert!(written < read, "{written} of {read} bytes");
+        let found = again(&glb);
+        assert_eq!(found.triangle_count(), scene.triangle_count());
+        if options.quantize.is_none() {
+            assert_eq!(found.meshes(), scene.meshes());
+        }
+    }
+}
+
 #[test]
 fn tiles_that_only_touch_keep_their_own_vertices() {
     let scene = read(&strips_of_grid(40, 20));

@@ -172,6 +172,7 @@ fn obj_cases() -> Vec<Case> {
         case("nan.obj", strange("nan"), Read(8, 7, LOST_4)),
         case("ind.obj", strange("-nan(ind)"), Read(8, 7, LOST_4)),
         case("qnan.obj", strange("1.#QNAN"), Read(8, 7, LOST_4)),
+        case("fortran.obj", strange("0.0D+00"), Read(12, 8, &[])),
         case("unused.obj", obj() + "v nan nan nan\nv inf 0 0\n", Read(12, 8, &[])),
     ]
 }
@@ -259,7 +260,9 @@ fn refused_obj_cases() -> Vec<Case> {
         case(
             "edges.obj",
             rows("v ") + "l 1 2\nf 3 4\n",
-            Refused("8 points, 1 line or curve and no triangles"),
+            Refused(
+                "8 points, 1 line or curve (1 polygon left out, line 10: a face with 2 corners) and no triangles",
+            ),
         ),
         case("other.obj", "%PDF-1.4\nhello\n", Refused("line 1: no line of the file is an OBJ statement")),
         case("nothing.obj", "", Refused("the file is empty")),
@@ -439,6 +442,75 @@ fn ply_cases() -> Vec<Case> {
     ]
 }
 
+/// An ASCII PLY file with a color of bytes, whose first values are replaced.
+fn colored_ply(first: &str) -> String {
+    let text = ply().replacen("property float z\n", "property float z\nproperty uchar red\n", 1);
+    let (head, body) = text.split_once("end_header\n").unwrap();
+    let rows: String = body.lines().take(8).map(|row| format!("{row} 7\n")).collect();
+    let faces: String = body.lines().skip(8).map(|row| format!("{row}\n")).collect();
+    format!("{head}end_header\n{}{faces}", rows.replacen(" 7\n", &format!(" {first}\n"), 1))
+}
+
+fn strange_ply_cases() -> Vec<Case> {
+    let in_capitals = |text: &str| {
+        let (head, body) = text.split_once("end_header\n").unwrap();
+        let names = ["x", "y", "z"].map(|name| (format!(" {}\n", name.to_uppercase()), format!(" {name}\n")));
+        let head = names.iter().fold(head.to_uppercase(), |head, (from, to)| head.replace(from, to));
+        format!("{}END_HEADER\n{body}", head.replace("VERTEX_INDICES", "vertex_indices"))
+    };
+    let mut with_tail = binary_ply(&[], 0);
+    with_tail.extend(b"abc");
+    vec![
+        case("mark.ply", "\u{feff}".to_owned() + &ply(), Read(12, 8, &[])),
+        case("returns.ply", ply().replace('\n', "\r"), Read(12, 8, &[])),
+        case("both.ply", ply().replace('\n', "\r\n"), Read(12, 8, &[])),
+        case("capitals.ply", in_capitals(&ply()), Read(12, 8, &[])),
+        case("control.ply", ply() + "\n\x1a", Read(12, 8, &[])),
+        case("fortran.ply", ply().replacen("0 0 1\n", "0.0D+00 0 1.0d0\n", 1), Read(12, 8, &[])),
+        case(
+            "word.ply",
+            ply().replacen("0 0 1\n", "0 abc 1\n", 1),
+            Read(
+                8,
+                7,
+                &[
+                    "1 value that is no number, line 11: expected a number, found `abc`",
+                    "4 triangles left out, the first is triangle 0: its vertex 1 has the coordinate NaN",
+                ],
+            ),
+        ),
+        case(
+            "fraction.ply",
+            colored_ply("0.75"),
+            Read(12, 8, &["1 value that is no whole number, line 11: expected a whole number, found `0.75`"]),
+        ),
+        case(
+            "large.ply",
+            colored_ply("300"),
+            Read(12, 8, &["1 value out of range, line 11: 300 does not fit into a uchar; it becomes 255"]),
+        ),
+        case(
+            "tail.ply",
+            ply() + "3 0 1 2\n",
+            Read(
+                12,
+                8,
+                &["byte 298: 7 bytes follow the last element that the header declares; they are left out"],
+            ),
+        ),
+        case(
+            "binary-tail.ply",
+            with_tail,
+            Read(
+                12,
+                8,
+                &["byte 422: 3 bytes follow the last element that the header declares; they are left out"],
+            ),
+        ),
+        case("cut.ply", ply().trim_end_matches("1 7 3\n"), Refused("line 29")),
+    ]
+}
+
 /// A cube as glTF, with normals; `change` may change the document, and the floats of the buffer.
 fn gltf(change: impl Fn(&mut Value, &mut [f32])) -> (Value, Vec<u8>) {
     let mut floats: Vec<f32> = CORNERS.as_flattened().iter().map(|&x| f32::from(x)).collect();
@@ -556,6 +628,7 @@ fn cases() -> Vec<Case> {
         stl_cases(),
         off_cases(),
         ply_cases(),
+        strange_ply_cases(),
         gltf_cases(),
     ]
     .into_iter()
@@ -662,4 +735,12 @@ fn scenes_follow_the_rule() {
             (Err(error), Read(..)) => panic!("{error}"),
         }
     }
+}
+
+#[test]
+fn the_first_fault_is_named_if_nothing_is_left() {
+    let text = obj().replace("v 0", "v 0,5").replace("v 1", "v 1,5");
+    let error = read_bytes_with_report(text.as_bytes(), &Source::new("comma.obj")).expect_err("no positions");
+    let message = error.to_string();
+    assert!(message.contains("(line 1: expected a number, found `0,5`)"), "{message}");
 }

@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use striata::file::WriteOptions;
 use striata::{LodOptions, simplify::SimplifyError};
-use striata_io::{Format, Scene, scene_to_bytes};
+use striata_io::{Format, Scene, scene_losses, scene_to_bytes};
 use striata_scene::glb_stream::GlbStreamError;
 use striata_scene::stream::SceneStreamOptions;
 use striata_scene::{GlbStreamOptions, LodScene};
@@ -79,6 +79,16 @@ impl PySceneData {
     #[getter]
     fn diagonal(&self) -> f64 {
         self.scene.diagonal()
+    }
+
+    /// Warnings of data that a `striata`, `stri` or `glb` file does not hold; `file` is its name.
+    fn losses(&self, format: &str, file: &str) -> Vec<String> {
+        let format = match format {
+            "striata" => Format::Striata,
+            "stri" => Format::Stream,
+            _ => Format::Glb,
+        };
+        warning_texts(&scene_losses(format, &self.scene, file))
     }
 
     /// One mesh of everything shown, with all transforms applied.

@@ -275,3 +275,24 @@ def test_plots(torus):
     matplotlib.use("Agg")
     axes = striata.plot.error(striata.build(*torus))
     assert len(axes.lines) == 1 and axes.get_xlabel() == "triangles"
+
+
+def test_data_that_scene_files_do_not_hold_is_a_warning(tmp_path, torus):
+    points, faces = torus
+    mesh = striata.Mesh(
+        points,
+        faces,
+        attributes={"label": np.arange(len(points), dtype=np.int32) + 123456789},
+        face_attributes={"id": np.arange(len(faces), dtype=np.int32)},
+    )
+    scene = striata.Scene(mesh)
+    for model in (scene, striata.build(scene)):
+        for name, lost in (("a.glb", ["label", "id"]), ("a.ply", ["label", "id"]), ("a.stri", ["id"])):
+            with pytest.warns(UserWarning) as found:
+                model.save(tmp_path / name)
+            texts = [str(warning.message) for warning in found]
+            assert len(texts) == len(lost) and all(f"`{key}`" in text for key, text in zip(lost, texts)), (name, texts)
+        model.save(tmp_path / "a.striata")
+        back = striata.open(tmp_path / "a.striata").level(ratio=1.0).to_scene().meshes[0]
+        assert set(back.attributes["label"]) == set(mesh.attributes["label"])
+        assert set(back.face_attributes["id"]) == set(mesh.face_attributes["id"])

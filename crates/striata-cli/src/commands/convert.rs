@@ -44,7 +44,7 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
             triangle_count: scene.triangle_count(),
             mesh_count: Some(scene.meshes().iter().flatten().count()),
             format: format.extension(),
-            georeference: None,
+            georeference: scene.georeference().cloned(),
         }
     } else {
         let mesh = with_mesh_textures(input.mesh(output)?, textures.as_ref(), output)?;

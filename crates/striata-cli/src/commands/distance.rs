@@ -1,6 +1,7 @@
 //! `distance`: measures the distance between two surfaces in both directions.
 
 use serde::Serialize;
+use serde_json::Value;
 use striata::mesh::{DistanceError, DistanceOptions, OneSidedDistance, surface_distance};
 
 use super::paged::open_input;
@@ -8,6 +9,7 @@ use crate::args::DistanceArgs;
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, Table, format_length};
+use striata_command::save::georeference_of;
 
 #[derive(Serialize)]
 struct DistanceReport {
@@ -18,6 +20,9 @@ struct DistanceReport {
     b_to_a: OneSidedReport,
     diagonal: f64,
     sample_count: usize,
+    /// Place on the Earth of the first mesh; of the second if the first has none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    georeference: Option<Value>,
 }
 
 #[derive(Serialize)]
@@ -65,6 +70,7 @@ pub(crate) fn run(args: &DistanceArgs, output: &Output) -> Result<(), Failure> {
         b_to_a: distance.b_to_a.into(),
         diagonal: distance.diagonal,
         sample_count: distance.sample_count,
+        georeference: georeference_of(&a).or_else(|| georeference_of(&b)),
     };
     output.data(&report, &report.to_text())
 }

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use serde::Serialize;
+use serde_json::Value;
 use striata::mesh::weld;
 
 use super::{strip_blocks, strip_levels};
@@ -12,7 +13,7 @@ use crate::strip_lists::{StripLists, check_output};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::output::{Output, format_count, format_noun_count};
-use striata_command::save::{Primitives, is_stdout, write_mesh};
+use striata_command::save::{Primitives, georeference_of, is_stdout, write_mesh};
 use striata_command::strip_report::StripReport;
 
 #[derive(Serialize)]
@@ -26,6 +27,8 @@ struct StripCostReport {
     stitched_index_count: Option<usize>,
     /// Number of groups that were written as triangle lists, since these need fewer indices.
     plain_group_count: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    georeference: Option<Value>,
     secs: f64,
 }
 
@@ -63,6 +66,7 @@ pub(crate) fn run(args: &StripArgs, output: &Output) -> Result<(), Failure> {
         budget_secs: args.search.budget,
         stitched_index_count: None,
         plain_group_count: None,
+        georeference: georeference_of(&mesh),
         secs: 0.0,
     };
     if let Some(path) = &args.output {

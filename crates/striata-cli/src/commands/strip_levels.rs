@@ -4,6 +4,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use serde::Serialize;
+use serde_json::Value;
 use striata::mesh::{RefinableMesh, replay, weld};
 use striata_strip::{LiveStripBuffer, LiveStrips, RepairReport};
 
@@ -15,7 +16,7 @@ use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_command::level::paths_of_levels;
 use striata_command::output::{Bar, Output, Table, format_count, format_duration};
-use striata_command::save::{LevelFiles, Primitives};
+use striata_command::save::{LevelFiles, Primitives, georeference_of};
 use striata_command::sequence::SequencePlan;
 
 #[derive(Serialize)]
@@ -27,6 +28,8 @@ struct StripLevelsReport {
     repair: &'static str,
     step_count: usize,
     levels: Vec<LevelStripsReport>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    georeference: Option<Value>,
     secs: f64,
 }
 
@@ -98,6 +101,7 @@ pub(crate) fn run(args: &StripArgs, levels: &[Level], output: &Output) -> Result
         repair: args.levels.repair.as_str(),
         step_count: refinable.sequence.step_count(),
         levels: reports,
+        georeference: georeference_of(&refinable.mesh),
         secs: started.elapsed().as_secs_f64(),
     };
     match args.output {

@@ -404,6 +404,14 @@ fn rasters_are_inputs_like_any_other() {
         "decode terrain.stri -o level.ply --ratio 0.5",
         "render N47E011.hgt -o terrain.png --size 80x60 --flat",
         "simplify pages.striata -o level.ply --ratio 0.5",
+        "encode N47E011.hgt -o streams.glb",
+        "distance N47E011.hgt full.glb --samples 1000",
+        "strip N47E011.hgt",
+        "strip N47E011.hgt --levels 100%,50%",
+        "convert full.glb other.glb",
+        "build full.glb -o scene.striata",
+        "simplify full.glb -o level.glb --ratio 0.5",
+        "extract scene.striata -o level.glb --ratio 0.5",
     ] {
         assert_eq!(json(&bench, line)["georeference"]["epsg"], 4326, "{line}");
     }

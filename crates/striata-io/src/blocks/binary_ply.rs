@@ -70,20 +70,20 @@ impl BinaryPly {
 
     fn of_ply(input: PieceInput, options: &PieceOptions) -> Result<Self, ReadError> {
         let header = Header::read(&input.bytes).map_err(|fault| fault.in_file(&input.name))?;
+        let mut warnings = Warnings::of_file(&input.name);
         let file = match header.encoding {
             Encoding::Ascii => {
                 if let Some(element) = header.elements.iter().find(|element| must_be_read_at_once(element)) {
                     let found = format!("text with this kind of the element `{}`", element.name);
                     return Err(ReadError::NotInBlocks { file: input.name, found });
                 }
-                ply_text::converted(&input, &header, options)?.finish_file(options)?
+                ply_text::converted(&input, &header, options, &mut warnings)?.finish_file(options)?
             }
             _ => input.file,
         };
         let mut stream = PlyStream::open(file, input.name)?;
         stream.header.has_top_origin = header.encoding == Encoding::Ascii;
         stream.choose_origin()?;
-        let mut warnings = Warnings::of_file(stream.name());
         left_out(&header).into_iter().for_each(|remark| warnings.push(Place::File, remark));
         let mut data = FaceData::new(&header, 0);
         if let Some(faces) = header.elements.iter().find(|element| element.name == "face") {

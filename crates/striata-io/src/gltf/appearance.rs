@@ -9,7 +9,7 @@ use super::document::GltfDocument;
 use super::json::JsonNode;
 use super::primitive::document_fault;
 use super::uri;
-use super::write::GEOREFERENCE;
+use super::write::georeference_in;
 use crate::companions::{Companions, NameKind};
 use crate::error::{Fault, Place};
 use crate::gltf_json::extensions_in;
@@ -34,14 +34,8 @@ pub(crate) fn appearance(document: &GltfDocument<'_>, warnings: &mut Warnings) -
     let samplers_json = root.entries("samplers")?.iter().map(&mut raw).collect();
     let images = images(document, warnings)?;
     let extensions_used = extensions.into_iter().collect();
-    let scene = root.get("scene").and_then(|scene| scene.value.as_u64()).unwrap_or(0);
-    let scene = root.value.get("scenes").and_then(|scenes| scenes.get(usize::try_from(scene).ok()?));
-    let georeference = scene.and_then(|scene| scene.get("extras")?.get(GEOREFERENCE));
     Ok(Appearance {
-        georeference: georeference
-            .filter(|place| place.is_object())
-            .map(Value::to_string)
-            .unwrap_or_default(),
+        georeference: georeference_in(root.value).map(Value::to_string).unwrap_or_default(),
         materials,
         images,
         textures_json,

@@ -1,5 +1,8 @@
 //! Parts of a document that grow while it is written: bytes, buffer views and accessors.
 
+use std::collections::HashMap;
+use std::hash::{BuildHasher as _, BuildHasherDefault, DefaultHasher};
+
 use serde_json::{Value, json};
 
 const ARRAY_BUFFER: u32 = 34962;
@@ -18,6 +21,10 @@ pub(super) struct GltfBuilder {
     free_accessors: Vec<usize>,
     /// URIs of the images that are files of their own.
     pub image_uris: Vec<Option<String>>,
+    /// Views of vertices and indices by their use and a hash of their bytes.
+    shared_views: HashMap<(String, u64), usize>,
+    /// Accessors of vertices and indices by their use and their JSON.
+    shared_accessors: HashMap<(String, String), usize>,
 }
 
 /// Returns the indices of all entries that are `null`, last first.
@@ -43,7 +50,7 @@ impl GltfBuilder {
     /// Continues a document, whose entries that are `null` are used first.
     pub(super) fn continuing(binary: Vec<u8>, views: Vec<Value>, accessors: Vec<Value>) -> Self {
         let (free_views, free_accessors) = (free_slots(&views), free_slots(&accessors));
-        Self { binary, views, accessors, free_views, free_accessors, image_uris: Vec::new() }
+        Self { binary, views, accessors, free_views, free_accessors, ..Self::default() }
     }
 
     pub(super) fn with_image_uris(self, image_uris: Vec<Option<String>>) -> Self {
@@ -90,8 +97,42 @@ impl GltfBuilder {
         put(&mut self.accessors, &mut self.free_accessors, accessor)
     }
 
-    /// Adds vertex data as a view of its own.
-    pub(super) fn push_vertex_data(&mut self, bytes: &[u8], stride: usize) -> usize {
-        self.push_view(bytes, Some(ARRAY_BUFFER), Some(stride))
+    /// Adds vertex data as a view; `role` is the use of the data. Equal data with the same use have the same view.
+    pub(super) fn push_vertex_data(&mut self, role: &str, bytes: &[u8], stride: usize) -> usize {
+        self.push_shared_view(format!("{role} {stride}"), bytes, [Some(ARRAY_BUFFER), Some(stride as u32)])
+    }
+
+    /// Adds indices as a view; equal ones have the same view.
+    pub(super) fn push_index_data(&mut self, bytes: &[u8]) -> usize {
+        self.push_shared_view("indices".to_owned(), bytes, [Some(ELEMENT_ARRAY_BUFFER), None])
+    }
+
+    fn push_shared_view(&mut self, role: String, bytes: &[u8], [target, stride]: [Option<u32>; 2]) -> usize {
+        let hash = BuildHasherDefault::<DefaultHasher>::default().hash_one(bytes);
+        let key = (role, hash);
+        if let Some(&view) = self.shared_views.get(&key)
+            && self.bytes_of(view) == Some(bytes)
+        {
+            return view;
+        }
+        let view = self.push_view(bytes, target, stride.map(|stride| stride as usize));
+        self.shared_views.insert(key, view);
+        view
+    }
+
+    fn bytes_of(&self, view: usize) -> Option<&[u8]> {
+        let number = |key: &str| usize::try_from(self.views[view].get(key)?.as_u64()?).ok();
+        self.binary.get(number("byteOffset")?..)?.get(..number("byteLength")?)
+    }
+
+    /// Adds an accessor of vertices or indices; equal ones with the same use are one.
+    pub(super) fn push_shared_accessor(&mut self, role: &str, accessor: Value) -> usize {
+        let key = (role.to_owned(), accessor.to_string());
+        if let Some(&known) = self.shared_accessors.get(&key) {
+            return known;
+        }
+        let index = self.push_accessor(accessor);
+        self.shared_accessors.insert(key, index);
+        index
     }
 }

@@ -97,13 +97,13 @@ pub(crate) use extensions::are_all_known;
 pub use extensions::{ExtensionUse, extension_use, known_extensions};
 pub(crate) use files::GltfContainer;
 pub(crate) use importance::usable as usable_importance;
-pub(crate) use references::{entries, has_triangles};
+pub(crate) use references::{entries, has_triangles, is_blended};
 pub(crate) use semantics::target_of;
 pub use shading::shaded;
 pub(crate) use shown_meshes::shown_meshes;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub(crate) use vertex_pieces::VertexPieces;
-pub(crate) use write::{GEOREFERENCE, image_entry, insert, looks, to_bytes};
+pub(crate) use write::{GEOREFERENCE, georeference_in, image_entry, insert, looks, to_bytes};
 pub(crate) use write_layers::{attribute_name, is_unstorable};
 pub(crate) use write_scene::scene_to_bytes;
 

@@ -31,6 +31,18 @@ pub(super) enum Use {
 /// Receives each reference; it may change them.
 pub(super) type Visit<'v, E> = dyn FnMut(Referent, &mut Value) -> Result<(), E> + 'v;
 
+/// Whether a primitive is blended with any of its materials, so that its triangles are drawn over each other in their
+/// order.
+pub(crate) fn is_blended(document: &Value, primitive: &Value) -> bool {
+    let of_material = |material: &Value| {
+        let material = document.pointer(&format!("/materials/{material}"));
+        material.and_then(|material| material.get("alphaMode")).is_some_and(|mode| mode == "BLEND")
+    };
+    let variants = primitive.pointer("/extensions/KHR_materials_variants/mappings").and_then(Value::as_array);
+    let variants = variants.into_iter().flatten().filter_map(|variant| variant.get("material"));
+    primitive.get("material").into_iter().chain(variants).any(of_material)
+}
+
 /// Whether a primitive consists of triangles, which levels of detail are built from.
 pub(crate) fn has_triangles(primitive: &Value) -> bool {
     let mode = primitive.get("mode").map_or(Some(4), Value::as_u64);

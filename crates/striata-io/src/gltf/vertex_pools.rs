@@ -2,12 +2,16 @@
 //!
 //! Meshes that have vertices in common form a set. If sharing makes the set much smaller, all of its meshes get
 //! one vertex buffer. Where most vertices belong to one mesh, as in tiles that touch, every mesh keeps a buffer of
-//! its own, so that it can be loaded alone.
+//! its own, so that it can be loaded alone. A mesh whose primitives show the same triangles in several materials is a set
+//! of its own.
+//!
+//! Many meshes of a few vertices, such as the parts of a building after simplification, share buffers too, because the
+//! accessors of one take more bytes than its vertices.
 
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-use striata::mesh::{AttributeLayer, IndexedMesh};
+use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
 
 use crate::contacts::Sets;
 
@@ -19,6 +23,18 @@ const SAMPLED: usize = 1 << 20;
 
 /// One of this many vertices is sampled.
 const SAMPLE: u64 = 64;
+
+/// Bytes of JSON that the accessors of a mesh take, besides those of each layer.
+const JSON_BYTES: usize = 190;
+
+/// Bytes of JSON that the accessor of a layer takes.
+const LAYER_JSON_BYTES: usize = 75;
+
+/// Number of meshes of a few vertices from which on they share buffers.
+const MANY: usize = 64;
+
+/// Vertices of a buffer whose indices take two bytes.
+const SHORT: usize = u16::MAX as usize;
 
 /// Vertex of a mesh.
 #[derive(Clone, Copy)]
@@ -39,7 +55,9 @@ pub(super) struct Pool {
 pub(super) fn pools(meshes: &[(usize, &IndexedMesh)]) -> Vec<Pool> {
     let total: usize = meshes.iter().map(|(_, mesh)| mesh.vertex_count()).sum();
     let every = if total < SAMPLED { 1 } else { SAMPLE };
-    if meshes.len() < 2 {
+    if let [(_, mesh)] = meshes
+        && mesh.groups.len() < 2
+    {
         return Vec::new();
     }
     let all: Vec<usize> = (0..meshes.len()).collect();
@@ -71,6 +89,7 @@ fn sets_worth(meshes: &[(usize, &IndexedMesh)], candidates: &[usize], every: u64
             }
         }
     }
+    join_small(meshes, candidates, &mut sets);
     let mut members: HashMap<usize, Vec<usize>> = HashMap::new();
     for &mesh in candidates {
         members.entry(sets.find(mesh)).or_default().push(mesh);
@@ -82,12 +101,47 @@ fn sets_worth(meshes: &[(usize, &IndexedMesh)], candidates: &[usize], every: u64
         let vertex_bytes = vertex_bytes(meshes[set[0]].1);
         // Indices of a large pool take four bytes instead of two.
         let wider = if once * every as usize > u16::MAX as usize { 2 * corners } else { 0 };
-        let bytes = |count: usize| (count * every as usize * vertex_bytes) as f64;
-        set.len() > 1 && bytes(once) + wider as f64 <= WORTH * bytes(with_copies)
+        let bytes = |count: usize, buffers: usize| {
+            (count * every as usize * vertex_bytes + buffers * json_bytes(meshes[set[0]].1)) as f64
+        };
+        let is_shared = set.len() > 1 || meshes[set[0]].1.groups.len() > 1;
+        is_shared && bytes(once, 1) + wider as f64 <= WORTH * bytes(with_copies, set.len())
     };
     let mut found: Vec<Vec<usize>> = members.into_values().filter(is_worth).collect();
     found.sort_unstable();
     found
+}
+
+/// Joins meshes with few vertices, as many as short indices can number, if there are many with the same layers.
+fn join_small(meshes: &[(usize, &IndexedMesh)], candidates: &[usize], sets: &mut Sets) {
+    let is_small = |mesh: &IndexedMesh| mesh.vertex_count() * vertex_bytes(mesh) < json_bytes(mesh);
+    let mut alike: HashMap<Vec<LayerKey<'_>>, Vec<usize>> = HashMap::new();
+    for &mesh in candidates.iter().filter(|&&mesh| is_small(meshes[mesh].1)) {
+        alike.entry(meshes[mesh].1.layers.iter().map(layer_key).collect()).or_default().push(mesh);
+    }
+    for small in alike.into_values().filter(|small| small.len() >= MANY) {
+        let mut count = 0;
+        for pair in small.windows(2) {
+            count += meshes[pair[0]].1.vertex_count();
+            if count + meshes[pair[1]].1.vertex_count() > SHORT {
+                count = 0;
+            } else {
+                sets.join(pair[0], pair[1]);
+            }
+        }
+    }
+}
+
+/// Name and type of a layer.
+type LayerKey<'a> = (&'a Semantic, u8, bool, usize);
+
+fn layer_key(layer: &AttributeLayer) -> LayerKey<'_> {
+    (&layer.semantic, layer.component_count, layer.normalized, layer.data.type_code())
+}
+
+/// Bytes of JSON that a vertex buffer of a mesh takes.
+fn json_bytes(mesh: &IndexedMesh) -> usize {
+    JSON_BYTES + LAYER_JSON_BYTES * mesh.layers.len()
 }
 
 fn pool(meshes: &[(usize, &IndexedMesh)], set: &[usize]) -> Pool {
@@ -155,9 +209,9 @@ fn are_equal(meshes: &[(usize, &IndexedMesh)], a: PooledVertex, b: PooledVertex)
     let bits = |mesh: &IndexedMesh, vertex: usize| mesh.positions[vertex].map(f32::to_bits);
     bits(first, a.vertex) == bits(second, b.vertex)
         && first.layers.len() == second.layers.len()
-        && first.layers.iter().zip(&second.layers).all(|(x, y)| {
-            (&x.semantic, x.component_count, x.normalized, x.data.type_code())
-                == (&y.semantic, y.component_count, y.normalized, y.data.type_code())
-                && bytes_of(x, a.vertex) == bytes_of(y, b.vertex)
-        })
+        && first
+            .layers
+            .iter()
+            .zip(&second.layers)
+            .all(|(x, y)| layer_key(x) == layer_key(y) && bytes_of(x, a.vertex) == bytes_of(y, b.vertex))
 }

@@ -3,12 +3,12 @@
 //! Consecutive groups with the same name become one mesh and one node of that name. A mesh without
 //! triangles is written without its vertices, because glTF has no empty primitives.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 use serde_json::{Map, Value, json};
 use striata::mesh::{Appearance, Image, IndexedMesh, TriangleGroup};
 
-use super::builder::{ELEMENT_ARRAY_BUFFER, GltfBuilder, TRIANGLE_STRIP};
+use super::builder::{GltfBuilder, TRIANGLE_STRIP};
 use super::component_type::GltfComponentType;
 use super::files::GltfContainer;
 use super::passes::GltfParts;
@@ -23,6 +23,13 @@ const TRIANGLES: u32 = 4;
 const TRIANGLE_FAN: u32 = 6;
 /// Name of the place of a terrain among the extras of a scene.
 pub(crate) const GEOREFERENCE: &str = "georeference";
+
+/// Returns the place of a terrain on the Earth that the default scene of a document has.
+pub(crate) fn georeference_in(document: &Value) -> Option<&Value> {
+    let scene = document.get("scene").and_then(Value::as_u64).unwrap_or(0);
+    let scene = document.get("scenes")?.get(usize::try_from(scene).ok()?)?;
+    scene.get("extras")?.get(GEOREFERENCE).filter(|place| place.is_object())
+}
 
 /// Encodes a mesh as a glTF file, quantized and compressed as the options say.
 pub(crate) fn to_bytes(
@@ -126,9 +133,13 @@ impl GltfBuilder {
         let component =
             if vertex_count <= u16::MAX as usize { GltfComponentType::U16 } else { GltfComponentType::U32 };
         let (mut bytes, mut accessors) = (Vec::new(), Vec::new());
+        let mut offset_of: HashMap<&[u32], usize> = HashMap::new();
         for list in lists {
-            let offset = bytes.len();
+            // Primitives that show the same triangles, in other materials, share them.
+            let next = bytes.len();
+            let offset = *offset_of.entry(list).or_insert(next);
             match component {
+                _ if offset < next => {}
                 GltfComponentType::U16 => bytes.extend(list.iter().flat_map(|&v| (v as u16).to_le_bytes())),
                 _ => bytes.extend_from_slice(bytemuck::cast_slice(list)),
             }
@@ -140,11 +151,11 @@ impl GltfBuilder {
             });
             accessors.push((!list.is_empty()).then_some(accessor));
         }
-        let view = self.push_view(&bytes, Some(ELEMENT_ARRAY_BUFFER), None);
+        let view = self.push_index_data(&bytes);
         let numbered = accessors.into_iter().map(|accessor| {
             accessor.map(|mut accessor| {
                 accessor["bufferView"] = json!(view);
-                self.push_accessor(accessor)
+                self.push_shared_accessor("indices", accessor)
             })
         });
         numbered.collect()

@@ -195,7 +195,8 @@ fn push_layer(
         _ => Encoded::Floats(legal_floats(mesh, layer, width)?),
     };
     let normalized = layer.normalized && !matches!(encoded, Encoded::Floats(_));
-    Ok((name, push(builder, &encoded, width, normalized)))
+    let accessor = push(builder, &name, &encoded, [width, usize::from(normalized)]);
+    Ok((name, accessor))
 }
 
 /// Whether glTF allows the layer's numbers as joints.
@@ -231,7 +232,8 @@ fn push_generic(builder: &mut GltfBuilder, layer: &AttributeLayer) -> Result<(St
         _ => Encoded::Floats(floats(layer, width)?),
     };
     let normalized = layer.normalized && !matches!(encoded, Encoded::Floats(_));
-    Ok((name, push(builder, &encoded, width, normalized)))
+    let accessor = push(builder, &name, &encoded, [width, usize::from(normalized)]);
+    Ok((name, accessor))
 }
 
 /// Returns a layer's numbers as floats; fails if one is not finite. Generic attributes may lack values, which
@@ -309,8 +311,8 @@ fn make_unit(vector: &mut [f32; 3]) {
 /// Adds points, with the bounds that glTF requires.
 fn push_points(builder: &mut GltfBuilder, numbers: &[f32]) -> Value {
     let mut accessor = accessor_of_points(numbers, true);
-    accessor["bufferView"] = json!(builder.push_vertex_data(bytemuck::cast_slice(numbers), 12));
-    json!(builder.push_accessor(accessor))
+    accessor["bufferView"] = json!(builder.push_vertex_data("POSITION", bytemuck::cast_slice(numbers), 12));
+    json!(builder.push_shared_accessor("POSITION", accessor))
 }
 
 /// Adds the displacements of a morph target: only those that are not zero if that takes fewer bytes.
@@ -326,8 +328,9 @@ fn push_displacements(
         sparse.accessors.push(accessor);
         return json!(accessor);
     }
-    accessor["bufferView"] = json!(builder.push_vertex_data(bytemuck::cast_slice(numbers), 12));
-    json!(builder.push_accessor(accessor))
+    accessor["bufferView"] =
+        json!(builder.push_vertex_data("displacements", bytemuck::cast_slice(numbers), 12));
+    json!(builder.push_shared_accessor("displacements", accessor))
 }
 
 /// Returns an accessor of points without a place in a view.
@@ -346,7 +349,7 @@ fn accessor_of_points(numbers: &[f32], has_bounds: bool) -> Value {
     accessor
 }
 
-fn push(builder: &mut GltfBuilder, encoded: &Encoded, width: usize, normalized: bool) -> Value {
+fn push(builder: &mut GltfBuilder, name: &str, encoded: &Encoded, [width, normalized]: [usize; 2]) -> Value {
     let (bytes, component): (&[u8], _) = match encoded {
         Encoded::Floats(numbers) => (bytemuck::cast_slice(numbers), GltfComponentType::F32),
         Encoded::Bytes(numbers) => (numbers, GltfComponentType::U8),
@@ -359,14 +362,14 @@ fn push(builder: &mut GltfBuilder, encoded: &Encoded, width: usize, normalized: 
     let stride = element_bytes.next_multiple_of(4);
     let count = bytes.len() / element_bytes;
     let view = if stride == element_bytes {
-        builder.push_vertex_data(bytes, stride)
+        builder.push_vertex_data(name, bytes, stride)
     } else {
         let mut padded = Vec::with_capacity(count * stride);
         for element in bytes.chunks_exact(element_bytes) {
             padded.extend_from_slice(element);
             padded.resize(padded.len() + stride - element_bytes, 0);
         }
-        builder.push_vertex_data(&padded, stride)
+        builder.push_vertex_data(name, &padded, stride)
     };
     let kind = match width {
         1 => "SCALAR",
@@ -382,8 +385,8 @@ fn push(builder: &mut GltfBuilder, encoded: &Encoded, width: usize, normalized: 
         "count": count,
         "type": kind,
     });
-    if normalized {
+    if normalized == 1 {
         accessor["normalized"] = json!(true);
     }
-    json!(builder.push_accessor(accessor))
+    json!(builder.push_shared_accessor(name, accessor))
 }

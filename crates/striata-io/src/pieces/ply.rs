@@ -14,8 +14,8 @@ use crate::ply::face_data::left_out;
 use crate::ply::header::{Element, Encoding, Header};
 use crate::ply::lists::{index_list, skip_element};
 use crate::ply::rows::BinaryRows;
-use crate::ply::textures;
 use crate::ply::vertices::PlyVertices;
+use crate::ply::{textures, warn_of_rest};
 use crate::repair::check_triangles;
 use crate::report::Warnings;
 use crate::texture_set::TextureSet;
@@ -42,6 +42,8 @@ struct VertexRows {
 struct Located {
     first_vertex: Option<usize>,
     faces: Option<FaceRuns>,
+    /// End of the last element.
+    end: usize,
 }
 
 impl PlyPieces {
@@ -57,9 +59,10 @@ impl PlyPieces {
         if is_repeated || header.elements.iter().any(must_be_read_at_once) {
             return Ok(Err(input));
         }
-        let remarks = left_out(&header);
+        let mut warnings = Warnings::of_file(&input.name);
+        left_out(&header).into_iter().for_each(|remark| warnings.push(Place::File, remark));
         if header.encoding == Encoding::Ascii {
-            ply_text::convert(&mut input, &header, options)?;
+            ply_text::convert(&mut input, &header, options, &mut warnings)?;
             let comments = std::mem::take(&mut header.texture_files);
             header = Header::read(&input.bytes).map_err(|fault| fault.in_file(&input.name))?;
             // Lines of the original file, for messages.
@@ -67,6 +70,7 @@ impl PlyPieces {
             header.has_top_origin = true;
         }
         let opened = locate(&input.bytes, &header, options).and_then(|located| {
+            warn_of_rest(&input.bytes, input.bytes.len() - located.end, &mut warnings);
             let vertex = header.vertex()?;
             let vertices = VertexRows {
                 element: vertex.clone(),
@@ -91,7 +95,7 @@ impl PlyPieces {
             byte_count: input.file_bytes,
             ..PieceSummary::default()
         };
-        attach_textures(&mut summary, &input, &header, remarks, &vertices);
+        attach_textures(&mut summary, &input, &header, warnings, &vertices);
         summary.appearance.georeference.clone_from(&header.georeference);
         let count = summary.triangle_count as usize;
         let warnings = Warnings::of_list(&input.name, summary.warnings.clone());
@@ -145,6 +149,7 @@ fn locate(bytes: &[u8], header: &Header, options: &PieceOptions) -> Result<Locat
             None => skip(bytes, at, element, is_big)?,
         };
     }
+    found.end = at;
     Ok(found)
 }
 
@@ -176,10 +181,9 @@ fn attach_textures(
     summary: &mut PieceSummary,
     input: &PieceInput,
     header: &Header,
-    remarks: Vec<String>,
+    mut warnings: Warnings,
     vertices: &VertexRows,
 ) {
-    let mut warnings = Warnings::of_file(&input.name);
     let set = TextureSet::new(&input.source(), input.unpacked_bytes);
     // A stand-in for the whole mesh: its layers decide whether there are textures, its triangle gets the
     // group.
@@ -189,9 +193,6 @@ fn attach_textures(
     let group = |group| PieceGroup { material: group, ..PieceGroup::default() };
     summary.groups = mesh.groups_or_whole().iter().map(|g| group(g.material)).collect();
     summary.appearance = mesh.appearance;
-    for remark in remarks {
-        warnings.push(Place::File, remark);
-    }
     summary.warnings = warnings.into_list();
 }
 

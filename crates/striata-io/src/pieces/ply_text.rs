@@ -9,7 +9,8 @@ use crate::ply::header::{Element, Header, PlyProperty, Scalar};
 use crate::ply::lists::{index_list, list_length, skip_element, skip_property};
 use crate::ply::rows::{AsciiRows, Rows as _};
 use crate::ply::vertices::flipped_columns_of;
-use crate::text::Cursor;
+use crate::ply::warn_of_rest;
+use crate::report::Warnings;
 
 /// Number of digits that are left for the number of triangles.
 const DIGITS: usize = 10;
@@ -19,8 +20,9 @@ pub(super) fn convert(
     input: &mut PieceInput,
     header: &Header,
     options: &PieceOptions,
+    warnings: &mut Warnings,
 ) -> Result<(), ReadError> {
-    input.bytes = converted(input, header, options)?.finish(options)?;
+    input.bytes = converted(input, header, options, warnings)?.finish(options)?;
     Ok(())
 }
 
@@ -29,21 +31,24 @@ pub(crate) fn converted(
     input: &PieceInput,
     header: &Header,
     options: &PieceOptions,
+    warnings: &mut Warnings,
 ) -> Result<Spool, ReadError> {
     let mut spool = Spool::new(options)?;
-    let mut rows = AsciiRows(Cursor::starting_at(&input.bytes, header.body_at, header.body_line));
+    let mut rows = AsciiRows::new(&input.bytes, header, &input.name);
     let written = write_head(header, &mut spool).and_then(|count_at| {
         let count = write_body(&mut rows, header, &mut spool)?;
         spool.replace(count_at, format!("{count:0DIGITS$}").as_bytes());
         Ok(())
     });
     written.map_err(|fault| fault.in_file(&input.name))?;
-    if rows.0.has_long_coordinates() {
+    if rows.cursor.has_long_coordinates() {
         // Doubles in a text that declares floats.
         let mut wider = header.clone();
         wider.widen_coordinates();
-        return converted(input, &wider, options);
+        return converted(input, &wider, options, warnings);
     }
+    warnings.append(rows.warnings);
+    warn_of_rest(&input.bytes, rows.cursor.bytes_left(), warnings);
     Ok(spool)
 }
 

@@ -1,7 +1,16 @@
 //! Header of a PLY file: elements, their properties, and the start of the body.
 
 use crate::error::{Fault, Place};
-use crate::text::{Cursor, quoted};
+use crate::text::{Cursor, quoted, with_line_feeds};
+
+/// Bytes by which some editors mark UTF-8.
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// Number of bytes in which the first line ends.
+const LONGEST_FIRST_LINE: usize = 16;
+
+/// Names of the elements that are read.
+const ELEMENTS: [&str; 3] = ["vertex", "face", "tristrips"];
 
 /// Encoding of the body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,7 +35,7 @@ pub(crate) enum Scalar {
 
 impl Scalar {
     fn from_name(name: &[u8]) -> Option<Self> {
-        Some(match name {
+        Some(match name.to_ascii_lowercase().as_slice() {
             b"char" | b"int8" => Self::I8,
             b"uchar" | b"uint8" => Self::U8,
             b"short" | b"int16" => Self::I16,
@@ -138,10 +147,21 @@ impl Header {
         properties.filter(|p| p.is_coordinate()).for_each(|property| property.scalar = Scalar::F64);
     }
 
-    /// Parses the header at the start of a file.
+    /// Parses the header at the start of a file. Keywords may have any case, and lines may end in carriage returns.
     pub(crate) fn read(bytes: &[u8]) -> Result<Self, Fault> {
-        let mut cursor = Cursor::new(bytes);
-        if cursor.rest_of_line() != b"ply" {
+        match with_returns(bytes) {
+            None => Self::of_lines(bytes),
+            Some(mut header) => {
+                with_line_feeds(&mut header, false);
+                Self::of_lines(&header)
+            }
+        }
+    }
+
+    fn of_lines(bytes: &[u8]) -> Result<Self, Fault> {
+        let start = if bytes.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 };
+        let mut cursor = Cursor::starting_at(bytes, start, 1);
+        if !cursor.rest_of_line().eq_ignore_ascii_case(b"ply") {
             return Err(cursor.fault("a PLY file begins with the line `ply`"));
         }
         let mut encoding = None;
@@ -150,7 +170,8 @@ impl Header {
         let mut georeference = String::new();
         loop {
             cursor.next_line();
-            match cursor.word() {
+            let word = cursor.word();
+            match word.to_ascii_lowercase().as_slice() {
                 b"format" => encoding = Some(read_format(&mut cursor)?),
                 b"comment" => match cursor.word() {
                     b"normalized" => normalized.push(text(cursor.word())),
@@ -175,7 +196,7 @@ impl Header {
                 // A blank line is harmless, the end of the file is not.
                 b"" if cursor.bytes_left() > 0 => {}
                 b"" => return Err(cursor.fault("the file ends before `end_header`")),
-                word => return Err(cursor.fault(format!("no PLY header line begins with {}", quoted(word)))),
+                _ => return Err(cursor.fault(format!("no PLY header line begins with {}", quoted(word)))),
             }
         }
         cursor.next_line();
@@ -203,12 +224,24 @@ impl Header {
     }
 }
 
+/// Returns the header of a file whose lines end in carriage returns alone.
+fn with_returns(bytes: &[u8]) -> Option<Vec<u8>> {
+    const END: &[u8] = b"end_header\r";
+    let first_end = bytes.iter().take(LONGEST_FIRST_LINE).position(|&b| b == b'\r')?;
+    if bytes.get(first_end + 1) == Some(&b'\n') {
+        return None;
+    }
+    let end = bytes.windows(END.len()).position(|window| window.eq_ignore_ascii_case(END))?;
+    Some(bytes[..end + END.len()].to_vec())
+}
+
 fn read_format(cursor: &mut Cursor<'_>) -> Result<Encoding, Fault> {
-    let encoding = match cursor.word() {
+    let word = cursor.word();
+    let encoding = match word.to_ascii_lowercase().as_slice() {
         b"ascii" => Encoding::Ascii,
         b"binary_little_endian" => Encoding::LittleEndian,
         b"binary_big_endian" => Encoding::BigEndian,
-        word => {
+        _ => {
             let what = format!("the PLY encoding {}", quoted(word));
             return Err(Fault::Unsupported(Place::Line(cursor.line()), what));
         }
@@ -223,7 +256,10 @@ fn read_format(cursor: &mut Cursor<'_>) -> Result<Encoding, Fault> {
 }
 
 fn read_element(cursor: &mut Cursor<'_>) -> Result<Element, Fault> {
-    let name = text(cursor.word());
+    let mut name = text(cursor.word());
+    if let Some(known) = ELEMENTS.iter().find(|known| known.eq_ignore_ascii_case(&name)) {
+        name = (*known).to_owned();
+    }
     let count = cursor.integer()?;
     let count = usize::try_from(count)
         .ok()
@@ -237,7 +273,7 @@ fn read_property(cursor: &mut Cursor<'_>) -> Result<PlyProperty, Fault> {
         Scalar::from_name(word).ok_or_else(|| cursor.fault(format!("no PLY type is called {}", quoted(word))))
     };
     let first = cursor.word();
-    let (list, scalar) = if first == b"list" {
+    let (list, scalar) = if first.eq_ignore_ascii_case(b"list") {
         let (count, item) = (cursor.word(), cursor.word());
         let count = scalar(cursor, count)?;
         if !count.is_integer() {

@@ -38,12 +38,12 @@ use striata::mesh::IndexedMesh;
 use crate::Source;
 use crate::error::{Fault, Place};
 use crate::report::Warnings;
-use crate::text::Cursor;
+use crate::text::trimmed;
 use crate::texture_set::TextureSet;
 use body::{ReadFaces, read_elements};
 use face_data::{FaceData, left_out};
 use header::{Encoding, Header};
-use rows::{AsciiRows, BinaryRows};
+use rows::{AsciiRows, BinaryRows, Rows as _};
 
 /// Reads a mesh from the bytes of a PLY file, and the images that it names from files next to it.
 pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -> Result<IndexedMesh, Fault> {
@@ -52,25 +52,31 @@ pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -
     faces.data = FaceData::new(&header, bytes.len());
     let vertices = match header.encoding {
         Encoding::Ascii => {
-            let rows =
-                |header: &Header| AsciiRows(Cursor::starting_at(bytes, header.body_at, header.body_line));
-            let mut read = rows(&header);
-            let vertices = read_elements(&header, &mut read, &mut faces)?;
-            if read.0.has_long_coordinates() {
+            let mut rows = AsciiRows::new(bytes, &header, warnings.file());
+            let mut vertices = read_elements(&header, &mut rows, &mut faces)?;
+            if rows.cursor.has_long_coordinates() {
                 // Doubles in a text that declares floats.
                 header.widen_coordinates();
                 faces = ReadFaces::default();
                 faces.data = FaceData::new(&header, bytes.len());
-                read_elements(&header, &mut rows(&header), &mut faces)?
-            } else {
-                vertices
+                rows = AsciiRows::new(bytes, &header, warnings.file());
+                vertices = read_elements(&header, &mut rows, &mut faces)?;
             }
+            warnings.append(rows.warnings);
+            warn_of_rest(bytes, rows.cursor.bytes_left(), warnings);
+            vertices
         }
         Encoding::LittleEndian => {
-            read_elements(&header, &mut BinaryRows::<false>::new(bytes, header.body_at), &mut faces)?
+            let mut rows = BinaryRows::<false>::new(bytes, header.body_at);
+            let vertices = read_elements(&header, &mut rows, &mut faces)?;
+            warn_of_rest(bytes, rows.bytes_left(), warnings);
+            vertices
         }
         Encoding::BigEndian => {
-            read_elements(&header, &mut BinaryRows::<true>::new(bytes, header.body_at), &mut faces)?
+            let mut rows = BinaryRows::<true>::new(bytes, header.body_at);
+            let vertices = read_elements(&header, &mut rows, &mut faces)?;
+            warn_of_rest(bytes, rows.bytes_left(), warnings);
+            vertices
         }
     };
     let positions = vertices.positions(&header, [0.0; 3])?;
@@ -94,4 +100,15 @@ pub(crate) fn read(bytes: &[u8], source: &Source<'_>, warnings: &mut Warnings) -
     textures::attach(&mut mesh, comments, faces.textures.numbers(), set, warnings);
     mesh.appearance.georeference = header.georeference;
     Ok(mesh)
+}
+
+/// Warns of what follows the last element that the header declares; `left` is its number of bytes.
+pub(crate) fn warn_of_rest(bytes: &[u8], left: usize, warnings: &mut Warnings) {
+    let at = bytes.len() - left;
+    let rest = trimmed(&bytes[at..]).trim_ascii().len();
+    if rest > 0 {
+        let reason =
+            format!("{rest} bytes follow the last element that the header declares; they are left out");
+        warnings.push(Place::Byte(at as u64), reason);
+    }
 }

@@ -1,9 +1,10 @@
 //! Sources of the numbers of a PLY body: words of a text, or bytes of either order.
 
 use crate::error::Fault;
-use crate::text::Cursor;
+use crate::report::{WarningKind, Warnings};
+use crate::text::{Cursor, TextNumber};
 
-use super::header::{Element, Scalar};
+use super::header::{Element, Header, Scalar};
 
 /// Reader of the numbers of a body, one after another.
 pub(crate) trait Rows<'a> {
@@ -69,23 +70,70 @@ pub(crate) trait Rows<'a> {
         Self: Sized;
 }
 
-/// Words of a text file.
-pub(crate) struct AsciiRows<'a>(pub Cursor<'a>);
+/// Words of a text file. Those that are no numbers, or do not fit their type, cost no more than their value, unless
+/// they are indices.
+pub(crate) struct AsciiRows<'a> {
+    pub cursor: Cursor<'a>,
+    /// Words that could not be read as they are.
+    pub warnings: Warnings,
+}
+
+impl<'a> AsciiRows<'a> {
+    pub(crate) fn new(bytes: &'a [u8], header: &Header, file: &str) -> Self {
+        let cursor = Cursor::starting_at(bytes, header.body_at, header.body_line);
+        Self { cursor, warnings: Warnings::of_file(file) }
+    }
+
+    /// Goes to the next word of the file.
+    fn next_word(&mut self) -> Result<(), Fault> {
+        self.cursor.skip_lines(None);
+        match self.cursor.bytes_left() {
+            0 => Err(self.cursor.fault("the file ends within an element")),
+            _ => Ok(()),
+        }
+    }
+
+    /// Returns a number that was read; NaN with a warning if it is none.
+    fn number<T: From<f32>>(&mut self, read: Result<T, Fault>) -> T {
+        read.unwrap_or_else(|fault| {
+            self.warnings.count_fault(WarningKind::WORDS, fault);
+            T::from(f32::NAN)
+        })
+    }
+
+    /// Reads an integer of a type; the nearest one with a warning if the word is another number.
+    fn integer_of(&mut self, scalar: Scalar) -> i64 {
+        let (value, fault) = self.cursor.nearest_integer();
+        if let Some(fault) = fault {
+            let kind = WarningKind("value that is no whole number", "values that are no whole numbers");
+            self.warnings.count_fault(kind, fault);
+        }
+        let nearest = nearest(scalar, value);
+        if nearest != value {
+            let reason = format!("{value} does not fit into a {}; it becomes {nearest}", scalar.name());
+            let kind = WarningKind("value out of range", "values out of range");
+            self.warnings.count_fault(kind, self.cursor.fault(reason));
+        }
+        nearest
+    }
+}
 
 impl<'a> Rows<'a> for AsciiRows<'a> {
     fn integer(&mut self, _scalar: Scalar) -> Result<i64, Fault> {
-        self.0.skip_lines(None);
-        self.0.integer()
+        self.cursor.skip_lines(None);
+        self.cursor.integer()
     }
 
     fn float(&mut self, _scalar: Scalar) -> Result<f32, Fault> {
-        self.0.skip_lines(None);
-        self.0.f32()
+        self.next_word()?;
+        let read = self.cursor.f32();
+        Ok(self.number(read))
     }
 
     fn one_minus(&mut self, _scalar: Scalar) -> Result<f32, Fault> {
-        self.0.skip_lines(None);
-        Ok(self.0.number()?.one_minus_f32())
+        self.next_word()?;
+        let read = self.cursor.number().map(TextNumber::one_minus_f32);
+        Ok(self.number(read))
     }
 
     fn is_text(&self) -> bool {
@@ -93,18 +141,18 @@ impl<'a> Rows<'a> for AsciiRows<'a> {
     }
 
     fn copy(&mut self, scalar: Scalar, out: &mut Vec<u8>) -> Result<(), Fault> {
-        self.0.skip_lines(None);
+        self.next_word()?;
         match scalar {
-            Scalar::F32 => out.extend_from_slice(&self.0.f32()?.to_le_bytes()),
-            Scalar::F64 => out.extend_from_slice(&self.0.f64()?.to_le_bytes()),
-            _ => {
-                let value = self.0.integer()?;
-                if !fits(scalar, value) {
-                    return Err(self.0.fault(format!("{value} does not fit into a {}", scalar.name())));
-                }
-                // Two's complement: the low bytes represent the number in every narrower type.
-                out.extend_from_slice(&value.to_le_bytes()[..scalar.bytes()]);
+            Scalar::F32 => {
+                let read = self.cursor.f32();
+                out.extend_from_slice(&self.number(read).to_le_bytes());
             }
+            Scalar::F64 => {
+                let read = self.cursor.f64();
+                out.extend_from_slice(&self.number(read).to_le_bytes());
+            }
+            // Two's complement: the low bytes represent the number in every narrower type.
+            _ => out.extend_from_slice(&self.integer_of(scalar).to_le_bytes()[..scalar.bytes()]),
         }
         Ok(())
     }
@@ -113,17 +161,16 @@ impl<'a> Rows<'a> for AsciiRows<'a> {
         if scalar != Scalar::F32 {
             return self.copy(scalar, out);
         }
-        self.0.skip_lines(None);
-        out.extend_from_slice(&self.0.coordinate()?.to_le_bytes());
+        self.next_word()?;
+        let read = self.cursor.coordinate();
+        out.extend_from_slice(&self.number(read).to_le_bytes());
         Ok(())
     }
 
     fn skip(&mut self, _scalar: Scalar, count: usize) -> Result<(), Fault> {
         for _ in 0..count {
-            self.0.skip_lines(None);
-            if self.0.word().is_empty() {
-                return Err(self.0.fault("the file ends within an element"));
-            }
+            self.next_word()?;
+            self.cursor.word();
         }
         Ok(())
     }
@@ -135,15 +182,15 @@ impl<'a> Rows<'a> for AsciiRows<'a> {
 
     fn bytes_left(&self) -> usize {
         // The last number of a file needs no blank after it.
-        self.0.bytes_left() + 1
+        self.cursor.bytes_left() + 1
     }
 
     fn fault(&self, reason: String) -> Fault {
-        self.0.fault(reason)
+        self.cursor.fault(reason)
     }
 
     fn mark(&self) -> u64 {
-        self.0.line()
+        self.cursor.line()
     }
 
     fn fault_at(mark: u64, reason: String) -> Fault {
@@ -151,15 +198,16 @@ impl<'a> Rows<'a> for AsciiRows<'a> {
     }
 }
 
-fn fits(scalar: Scalar, value: i64) -> bool {
+/// Returns the nearest value of a type.
+fn nearest(scalar: Scalar, value: i64) -> i64 {
     match scalar {
-        Scalar::I8 => i8::try_from(value).is_ok(),
-        Scalar::U8 => u8::try_from(value).is_ok(),
-        Scalar::I16 => i16::try_from(value).is_ok(),
-        Scalar::U16 => u16::try_from(value).is_ok(),
-        Scalar::I32 => i32::try_from(value).is_ok(),
-        Scalar::U32 => u32::try_from(value).is_ok(),
-        Scalar::F32 | Scalar::F64 => true,
+        Scalar::I8 => value.clamp(i8::MIN.into(), i8::MAX.into()),
+        Scalar::U8 => value.clamp(0, u8::MAX.into()),
+        Scalar::I16 => value.clamp(i16::MIN.into(), i16::MAX.into()),
+        Scalar::U16 => value.clamp(0, u16::MAX.into()),
+        Scalar::I32 => value.clamp(i32::MIN.into(), i32::MAX.into()),
+        Scalar::U32 => value.clamp(0, u32::MAX.into()),
+        Scalar::F32 | Scalar::F64 => value,
     }
 }
 

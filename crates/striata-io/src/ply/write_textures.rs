@@ -12,8 +12,8 @@ use crate::Format;
 use crate::error::Place;
 use crate::gltf_json::{TextureInfo, float};
 use crate::image_files::ImageFiles;
-use crate::losses::{of_group_names, used_materials};
-use crate::report::{Warnings, shortened};
+use crate::losses::{label, of_group_names, used_materials};
+use crate::report::Warnings;
 use crate::text::{push_f32, push_one_minus_f32};
 
 /// Images of the faces.
@@ -66,14 +66,14 @@ fn name_of(
     let info = value.pointer("/pbrMetallicRoughness/baseColorTexture");
     let info = info.and_then(|info| TextureInfo::of(info, &mesh.appearance));
     let has_texcoords = mesh.layer(&Semantic::TexCoord(0)).is_some_and(has_origin);
-    let name = shortened(&known.name);
+    let label = label(material, &known.name);
     let Some(info) = info.filter(|_| has_texcoords) else {
-        let reason = format!("PLY cannot store the material `{name}` without an image; it is left out");
+        let reason = format!("PLY cannot store the material {label} without an image; it is left out");
         warnings.push(Place::File, reason);
         return None;
     };
     if !is_image_only(&value) || info.transform.is_some() || info.clamps || !info.lost.is_empty() {
-        let reason = format!("PLY stores only the base color image of the material `{name}`");
+        let reason = format!("PLY stores only the base color image of the material {label}");
         warnings.push(Place::File, reason);
     }
     images.name_of(info.image, warnings)

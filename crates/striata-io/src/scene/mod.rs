@@ -51,7 +51,7 @@ use striata::mesh::{Bounds, Image, IndexedMesh};
 
 use crate::Warning;
 use crate::cache_order::with_triangles_in_cache_order;
-use crate::gltf::{has_triangles, shown_meshes};
+use crate::gltf::{georeference_in, has_triangles, is_blended, shown_meshes};
 
 /// A glTF document with its triangle meshes and images apart.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -185,6 +185,11 @@ impl Scene {
         Ok(crate::gltf::numbers_of(&self.document, &self.buffer, accessor)?)
     }
 
+    /// Place of a terrain on the Earth, which the default scene has in its extras.
+    pub fn georeference(&self) -> Option<&Value> {
+        georeference_in(&self.document)
+    }
+
     /// Name of a glTF mesh; empty if it has none.
     pub fn mesh_name(&self, mesh: usize) -> &str {
         self.mesh_entry(mesh).and_then(|entry| entry.get("name")?.as_str()).unwrap_or("")
@@ -202,19 +207,9 @@ impl Scene {
     /// Whether each triangle primitive of a glTF mesh is blended, with any of its materials, so that the order of its
     /// triangles is the order in which they are drawn over each other. Empty if there is no such mesh.
     pub fn are_blended(&self, mesh: usize) -> Vec<bool> {
-        let is_blended = |material: &Value| {
-            let material = self.document.pointer(&format!("/materials/{material}"));
-            material.and_then(|material| material.get("alphaMode")).is_some_and(|mode| mode == "BLEND")
-        };
         let primitives = self.mesh_entry(mesh).and_then(|entry| entry.get("primitives")?.as_array());
         let with_triangles = primitives.into_iter().flatten().filter(|primitive| has_triangles(primitive));
-        let any_is_blended = |primitive: &Value| {
-            let variants =
-                primitive.pointer("/extensions/KHR_materials_variants/mappings").and_then(Value::as_array);
-            let variants = variants.into_iter().flatten().filter_map(|variant| variant.get("material"));
-            primitive.get("material").into_iter().chain(variants).any(is_blended)
-        };
-        with_triangles.map(any_is_blended).collect()
+        with_triangles.map(|primitive| is_blended(&self.document, primitive)).collect()
     }
 
     /// Returns the meshes with the triangles of each group in cache order; groups that are blended keep theirs.

@@ -10,6 +10,7 @@ use crate::Warning;
 use crate::error::Refusal;
 use crate::gltf::GltfContainer;
 use crate::image_files::ImageFiles;
+use crate::lost_data::scene_losses;
 use crate::report::Warnings;
 use crate::write::{can_have_companions, packed_for_name};
 use crate::write_options::WriteOptions;
@@ -57,6 +58,7 @@ impl SceneWriter<'_> {
         let mut images = ImageFiles::new(self.scene.images(), beside);
         let bytes = match format {
             Format::Gltf | Format::Glb => {
+                warnings.append(Warnings::of_list(&file, scene_losses(format, self.scene, &file)));
                 let container = GltfContainer::new(format, options, beside, &mut images, &mut warnings);
                 crate::gltf::scene_to_bytes(self, options, container)
             }
@@ -90,7 +92,10 @@ pub fn encode_scene(
     if !format.has_scenes() {
         let mut mesh = scene.flattened()?;
         convert_colors(&mut mesh, format);
-        return encode_mesh(format, &mesh, options, path);
+        let mut encoded = encode_mesh(format, &mesh, options, path)?;
+        let file = path.map_or_else(|| format.to_string(), |path| path.display().to_string());
+        encoded.warnings.extend(scene_losses(format, scene, &file));
+        return Ok(encoded);
     }
     #[cfg(feature = "threemf")]
     if format == Format::ThreeMf {

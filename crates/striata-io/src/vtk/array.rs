@@ -2,7 +2,7 @@
 
 use striata::mesh::LayerData;
 
-use crate::text::quoted;
+use crate::text::{parsed, quoted};
 
 /// Type of the values of an array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -156,8 +156,7 @@ impl Values {
         Ok(of_scalar!(scalar, T => {
             let mut values: Vec<T> = Vec::new();
             while let Some(word) = next() {
-                let parsed = std::str::from_utf8(word).ok().and_then(|text| text.parse().ok());
-                match parsed {
+                match parsed(word) {
                     Some(value) => values.push(value),
                     None => return Err(format!("expected a number of the type {}, found {}", stringify_type(scalar), quoted(word))),
                 }

@@ -94,6 +94,7 @@ def write_scene(
             _striata.write_bytes(file, lods.to_bytes("striata", callback))
         elif kind == "stri":
             _striata.write_bytes(file, _striata.encode_scene(data, DEFAULT_QUALITY, DEFAULT_PREVIEW_SIDE, callback))
+            _warn_of(data.losses(kind, file))
         else:
             options = {"ascii": False, "embed": embed, "shading": False, "is_level": is_level}
             _warn_of(_striata.write_scene(file, data, options))
@@ -107,5 +108,7 @@ def write_lod_scene(
     if kind in ("striata", "glb"):
         with reporting(progress) as callback:
             _striata.write_bytes(file, data.to_bytes(kind, callback))
+        if kind == "glb":
+            _warn_of(data.full_scene().losses(kind, file))
     else:
         write_scene(path, data.full_scene(), embed=embed, progress=progress)

@@ -135,7 +135,8 @@ impl<'a> LevelSource for SceneSource<'a> {
         Ok(())
     }
 
-    fn describe(&mut self, _found: &FoundLevel<Scene>, details: &mut LevelDetails) {
+    fn describe(&mut self, found: &FoundLevel<Scene>, details: &mut LevelDetails) {
+        details.georeference = found.shape.georeference().cloned();
         let lods = &self.levels.received.lods;
         if let Some(pixels) = &mut details.pixels {
             // The least important object may err by more.

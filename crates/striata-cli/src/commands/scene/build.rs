@@ -5,6 +5,7 @@ use std::fmt::Display;
 use std::path::Path;
 
 use serde::Serialize;
+use serde_json::Value;
 use striata::file::WriteOptions;
 use striata::simplify::{StopReason, Target};
 use striata_command::clock::{Phases, peak_rss_bytes};
@@ -40,6 +41,8 @@ struct SceneBuildReport {
     error_is_guaranteed: bool,
     /// Why the coarsest level has more triangles than `--base`; null if it does not.
     shortfall: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    georeference: Option<Value>,
     image_bytes: usize,
     output_bytes: usize,
     /// Order of a glTF file; absent for other files.
@@ -105,6 +108,7 @@ pub(in crate::commands) fn build(
         error_max: lods.levels().base_error(),
         error_is_guaranteed: lods.has_guaranteed_errors(),
         shortfall,
+        georeference: scene.georeference().cloned(),
         image_bytes: scene.images().iter().map(|image| image.bytes.len()).sum(),
         output_bytes: bytes.len(),
         order,

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use serde::Serialize;
+use serde_json::Value;
 use striata::LodOptions;
 use striata::simplify::BatchOptions;
 use striata_command::clock::{Phases, peak_rss_bytes};
@@ -11,7 +12,7 @@ use striata_command::input::Input;
 use striata_command::output::{Bar, Output, Table, format_bytes, format_count, format_duration};
 use striata_command::save::{DEFAULT_NAME_NOTE, display_name, write_bytes};
 use striata_command::scene::{edited, flat_scene, with_textures};
-use striata_io::{Format, Scene};
+use striata_io::{Format, Scene, scene_losses};
 use striata_scene::stream::{SceneStreamOptions, SceneStreamSizes, encode_scene_with_progress};
 use striata_scene::{BuildError, GlbStreamOptions, LodScene};
 
@@ -30,6 +31,8 @@ struct SceneEncodeReport {
     image_count: usize,
     /// Bytes of each kind of content of a stream; null for a GLB file.
     sizes: Option<Sizes>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    georeference: Option<Value>,
     output_bytes: usize,
     phases: Phases,
     secs: f64,
@@ -70,6 +73,7 @@ pub(in crate::commands) fn encode(
     let is_mesh = args.scene.flat || input.scene_kind().is_none();
     let scene =
         if is_mesh { flat_scene(input, &display_name(path), output)? } else { input.scene(output)? };
+    output.warn_of_losses(&scene_losses(format, &scene, &display_name(path)));
     let scene = edited(scene, &args.edits, true, output)?;
     let scene = with_textures(scene, args.textures.options().as_ref(), output)?;
     phases.enter("encode");
@@ -94,6 +98,7 @@ pub(in crate::commands) fn encode(
         triangle_count: scene.triangle_count(),
         image_count: scene.images().len(),
         sizes,
+        georeference: scene.georeference().cloned(),
         output_bytes: bytes.len(),
         secs: phases.total_secs(),
         phases,

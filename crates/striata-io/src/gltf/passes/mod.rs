@@ -10,6 +10,7 @@
 //! - `meshopt`: buffer views are compressed (`EXT_meshopt_compression`), after vertices and triangles have
 //!   been put into a better order.
 //! - `draco`: primitives are compressed (`KHR_draco_mesh_compression`).
+//! - `gather`: views of one kind are joined if there are many.
 //!
 //! The `references` and `extensions` of the reader know where documents refer to accessors and buffer views,
 //! and which extensions add no other places.
@@ -19,6 +20,7 @@ mod compact;
 mod draco;
 mod elements;
 mod extensions;
+mod gather;
 mod meshopt;
 mod parts;
 mod primitives;
@@ -29,6 +31,7 @@ mod tests;
 use crate::WriteOptions;
 use crate::error::Refusal;
 use draco::draco;
+use gather::gather;
 use meshopt::meshopt;
 pub(crate) use parts::GltfParts;
 use quantize::{Texcoords, quantize};
@@ -64,6 +67,7 @@ impl GltfParts {
         if options.meshopt {
             meshopt(self, options.quantize.as_ref());
         }
+        gather(self);
         Ok(())
     }
 }

@@ -3,6 +3,7 @@
 use serde_json::Value;
 
 use super::parts::{entries, index};
+use crate::gltf::references::is_blended;
 
 pub(super) const TRIANGLES: u64 = 4;
 
@@ -20,6 +21,8 @@ pub(super) struct PassPrimitive {
     pub targets: Vec<Vec<(String, u64)>>,
     /// Names of the primitive's extensions.
     pub extensions: Vec<String>,
+    /// Whether the order of its triangles is that in which they are drawn over each other.
+    pub is_blended: bool,
 }
 
 impl PassPrimitive {
@@ -49,8 +52,11 @@ pub(super) fn primitives(root: &Value) -> (Vec<PassPrimitive>, Vec<bool>) {
     let (mut found, mut are_read) = (Vec::new(), Vec::new());
     for (mesh, value) in entries(root, "meshes").iter().enumerate() {
         let list = entries(value, "primitives");
-        let parsed: Vec<Option<PassPrimitive>> =
-            list.iter().enumerate().map(|(place, primitive)| parse(primitive, mesh, place)).collect();
+        let parse = |(place, primitive)| {
+            let is_blended = is_blended(root, primitive);
+            Some(PassPrimitive { is_blended, ..parse(primitive, mesh, place)? })
+        };
+        let parsed: Vec<Option<PassPrimitive>> = list.iter().enumerate().map(parse).collect();
         are_read.push(parsed.iter().all(Option::is_some));
         found.extend(parsed.into_iter().flatten());
     }
@@ -78,6 +84,7 @@ fn parse(value: &Value, mesh: usize, place: usize) -> Option<PassPrimitive> {
         indices: optional("indices")?,
         targets,
         extensions,
+        is_blended: false,
     })
 }
 

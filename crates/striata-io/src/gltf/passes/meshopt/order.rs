@@ -2,7 +2,8 @@
 //!
 //! Primitives that share vertices are sorted together. Triangles change their order within a primitive;
 //! vertices follow in the order of their first use. Whatever cannot be moved safely keeps its order: data
-//! with other users, primitives without indices, and those whose extensions may count vertices.
+//! with other users, primitives without indices, and those whose extensions may count vertices. Triangles that are
+//! blended are drawn over each other in their order, and keep it.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -121,7 +122,8 @@ fn sorted_triangles(
             (Some(list), Some(&count)) if list.iter().all(|&v| (v as usize) < count) => {
                 let is_triangles =
                     roles[&indices].as_ref().is_some_and(|role| role.usage == AccessorUse::Triangles);
-                let list = if is_triangles { sorted(list, count) } else { list };
+                let is_blended = users.iter().any(|&user| primitives[user].is_blended);
+                let list = if is_triangles && !is_blended { sorted(list, count) } else { list };
                 lists.insert(indices, list);
             }
             _ => fixed.extend(users.iter().filter_map(|&user| groups[user])),

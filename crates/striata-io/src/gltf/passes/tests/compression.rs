@@ -19,6 +19,13 @@ fn applied(parts: &GltfParts, options: &WriteOptions) -> GltfParts {
 /// All attributes and morph targets of the corners of each triangle, in an order that does not depend on
 /// how triangles and vertices are sorted.
 fn corners(parts: &GltfParts, mesh: usize) -> Vec<Vec<Vec<u32>>> {
+    let mut triangles = drawn(parts, mesh);
+    triangles.sort();
+    triangles
+}
+
+/// Attributes of the corners of each triangle like [`corners`], in the order in which they are drawn.
+fn drawn(parts: &GltfParts, mesh: usize) -> Vec<Vec<Vec<u32>>> {
     let document = open(&parts.root, &parts.binary);
     let mut triangles = Vec::new();
     for primitive in entries(&parts.root["meshes"][mesh], "primitives") {
@@ -52,7 +59,6 @@ fn corners(parts: &GltfParts, mesh: usize) -> Vec<Vec<Vec<u32>>> {
             triangles.extend(turns.into_iter().min());
         }
     }
-    triangles.sort();
     triangles
 }
 
@@ -135,6 +141,26 @@ fn floats_that_are_multiples_are_stored_as_integers() {
     let filters = entries(&out.root, "bufferViews").iter();
     let filters = filters.filter_map(|view| view.pointer("/extensions/EXT_meshopt_compression/filter"));
     assert_eq!(filters.collect::<Vec<_>>(), ["EXPONENTIAL"]);
+}
+
+#[cfg(feature = "meshopt")]
+#[test]
+fn blended_triangles_keep_their_order() {
+    let mut sketch = Sketch::new();
+    let mesh = add_mesh(&mut sketch, 0.0);
+    let mut triangles = sheet_triangles();
+    triangles.reverse();
+    let indices = sketch.indices(&triangles);
+    sketch.add("materials", json!({ "alphaMode": "BLEND" }));
+    let primitive = &mut sketch.parts.root["meshes"][0]["primitives"][0];
+    primitive["indices"] = json!(indices);
+    primitive["material"] = json!(0);
+    sketch.node(json!({ "mesh": mesh }));
+    let mut parts = sketch.finish();
+    let options = WriteOptions::default().with_meshopt(true);
+    assert_eq!(drawn(&applied(&parts, &options), 0), drawn(&parts, 0));
+    parts.root["materials"][0]["alphaMode"] = json!("MASK");
+    assert_ne!(drawn(&applied(&parts, &options), 0), drawn(&parts, 0));
 }
 
 #[cfg(feature = "meshopt")]
