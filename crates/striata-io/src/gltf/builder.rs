@@ -99,15 +99,15 @@ impl GltfBuilder {
 
     /// Adds vertex data as a view; `role` is the use of the data. Equal data with the same use have the same view.
     pub(super) fn push_vertex_data(&mut self, role: &str, bytes: &[u8], stride: usize) -> usize {
-        self.push_shared_view(format!("{role} {stride}"), bytes, [Some(ARRAY_BUFFER), Some(stride as u32)])
+        self.push_shared_view(format!("{role} {stride}"), bytes, ARRAY_BUFFER, Some(stride))
     }
 
     /// Adds indices as a view; equal ones have the same view.
     pub(super) fn push_index_data(&mut self, bytes: &[u8]) -> usize {
-        self.push_shared_view("indices".to_owned(), bytes, [Some(ELEMENT_ARRAY_BUFFER), None])
+        self.push_shared_view("indices".to_owned(), bytes, ELEMENT_ARRAY_BUFFER, None)
     }
 
-    fn push_shared_view(&mut self, role: String, bytes: &[u8], [target, stride]: [Option<u32>; 2]) -> usize {
+    fn push_shared_view(&mut self, role: String, bytes: &[u8], target: u32, stride: Option<usize>) -> usize {
         let hash = BuildHasherDefault::<DefaultHasher>::default().hash_one(bytes);
         let key = (role, hash);
         if let Some(&view) = self.shared_views.get(&key)
@@ -115,7 +115,7 @@ impl GltfBuilder {
         {
             return view;
         }
-        let view = self.push_view(bytes, target, stride.map(|stride| stride as usize));
+        let view = self.push_view(bytes, Some(target), stride);
         self.shared_views.insert(key, view);
         view
     }

@@ -195,7 +195,7 @@ fn push_layer(
         _ => Encoded::Floats(legal_floats(mesh, layer, width)?),
     };
     let normalized = layer.normalized && !matches!(encoded, Encoded::Floats(_));
-    let accessor = push(builder, &name, &encoded, [width, usize::from(normalized)]);
+    let accessor = push(builder, &name, &encoded, width, normalized);
     Ok((name, accessor))
 }
 
@@ -232,7 +232,7 @@ fn push_generic(builder: &mut GltfBuilder, layer: &AttributeLayer) -> Result<(St
         _ => Encoded::Floats(floats(layer, width)?),
     };
     let normalized = layer.normalized && !matches!(encoded, Encoded::Floats(_));
-    let accessor = push(builder, &name, &encoded, [width, usize::from(normalized)]);
+    let accessor = push(builder, &name, &encoded, width, normalized);
     Ok((name, accessor))
 }
 
@@ -349,7 +349,7 @@ fn accessor_of_points(numbers: &[f32], has_bounds: bool) -> Value {
     accessor
 }
 
-fn push(builder: &mut GltfBuilder, name: &str, encoded: &Encoded, [width, normalized]: [usize; 2]) -> Value {
+fn push(builder: &mut GltfBuilder, name: &str, encoded: &Encoded, width: usize, normalized: bool) -> Value {
     let (bytes, component): (&[u8], _) = match encoded {
         Encoded::Floats(numbers) => (bytemuck::cast_slice(numbers), GltfComponentType::F32),
         Encoded::Bytes(numbers) => (numbers, GltfComponentType::U8),
@@ -385,7 +385,7 @@ fn push(builder: &mut GltfBuilder, name: &str, encoded: &Encoded, [width, normal
         "count": count,
         "type": kind,
     });
-    if normalized == 1 {
+    if normalized {
         accessor["normalized"] = json!(true);
     }
     json!(builder.push_shared_accessor(name, accessor))
