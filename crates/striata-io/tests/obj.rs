@@ -112,7 +112,10 @@ fn errors_name_the_line() {
         ("v 0 0 0\nf 1 2 1\n", "line 2: vertex 2 does not exist: there are 1"),
         ("v 0 0 0\n\nf 1 -2 1\n", "line 3: vertex -2 does not exist"),
         ("v 0 0 0\nf 0 1 1\n", "line 2: vertex 0 does not exist"),
-        ("v 0 0 0\nf 1 x 1\n", "1 polygon left out, line 2: expected a whole number, found `x`) and no triangles"),
+        (
+            "v 0 0 0\nf 1 x 1\n",
+            "1 polygon left out, line 2: expected a whole number, found `x`) and no triangles",
+        ),
         ("v 0 0 0\nf 99999999999999999999 1 1\n", "line 2: the whole number"),
         ("v 0 0 0\nf 4294967297 1 1\n", "line 2: vertex 4294967297 does not exist"),
         ("hello world\n", "line 1: no line of the file is an OBJ statement: unknown statement \"hello\""),
