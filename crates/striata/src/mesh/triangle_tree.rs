@@ -143,6 +143,16 @@ impl TriangleTree {
     /// Distance like [`Self::distance_from_hint`], but stops at any triangle that is no farther than
     /// `enough`.
     pub fn distance_within(&self, point: [f64; 3], enough: f64, triangle: &mut usize) -> f64 {
+        self.search(point, enough, usize::MAX, triangle)
+    }
+
+    /// Distance from a triangle near a finite point, like [`Self::distance_from_hint`], but looks at no more than
+    /// about `most` triangles: where very many are equally near, it need not be the nearest.
+    pub(crate) fn distance_from_some(&self, point: [f64; 3], most: usize, triangle: &mut usize) -> f64 {
+        self.search(point, 0.0, most, triangle)
+    }
+
+    fn search(&self, point: [f64; 3], enough: f64, most: usize, triangle: &mut usize) -> f64 {
         let point = DVec3::from_array(point);
         let in_frame = (point - self.center) * self.scale;
         let is_far = in_frame.abs().max_element() > FAR;
@@ -162,12 +172,14 @@ impl TriangleTree {
         if !is_far && squared > enough {
             let squared_scale = self.scale * self.scale * COST_MARGIN;
             let limit = (squared * squared_scale) as f32;
+            let mut left = most;
             self.boxes.visit_near(in_frame.as_vec3a(), limit, |candidate| {
                 let other = squared_distance_to_triangle(point, &self.corners[candidate]);
                 if other < squared {
                     (squared, *triangle) = (other, candidate);
                 }
-                if squared <= enough { 0.0 } else { (squared * squared_scale) as f32 }
+                left = left.saturating_sub(1);
+                if squared <= enough || left == 0 { 0.0 } else { (squared * squared_scale) as f32 }
             });
         }
         squared.sqrt()
@@ -185,8 +197,8 @@ impl TriangleTree {
     /// Visits the triangles within `reach` of a finite point, roughly from near to far, with their
     /// distances in mesh units.
     ///
-    /// `visit` returns the reach for the rest of the search, which may shrink. A few triangles beyond the
-    /// reach are visited as well.
+    /// `visit` returns the reach for the rest of the search, which may shrink; a negative one ends it. A few
+    /// triangles beyond the reach are visited as well.
     pub fn visit_within(&self, point: [f64; 3], reach: f64, mut visit: impl FnMut(usize, f64) -> f64) {
         let point = DVec3::from_array(point);
         let in_frame = (point - self.center) * self.scale;
@@ -199,7 +211,10 @@ impl TriangleTree {
             return;
         }
         // A reach of 0 must not skip the boxes that contain the point.
-        let limit = |reach: f64| (((reach * self.scale).powi(2) * COST_MARGIN) as f32).max(f32::MIN_POSITIVE);
+        let limit = |reach: f64| match reach < 0.0 {
+            true => 0.0,
+            false => (((reach * self.scale).powi(2) * COST_MARGIN) as f32).max(f32::MIN_POSITIVE),
+        };
         self.boxes.visit_near(in_frame.as_vec3a(), limit(reach), |candidate| {
             limit(visit(candidate, distance_to(candidate)))
         });

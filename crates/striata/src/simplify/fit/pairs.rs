@@ -7,7 +7,7 @@
 
 use glam::DVec3;
 
-use super::surface::{FitPoint, FitSurface, share_along};
+use super::surface::{FitPoint, FitSurface, MAX_VISITS, share_along};
 use crate::mesh::{
     Adjacency, AttributeLayer, Edge, IndexedMesh, MeshError, Semantic, TriangleTree, index_positions,
 };
@@ -278,16 +278,17 @@ impl Borders {
     /// The edge nearest to a point of an edge that leads the same way: the triangles of both lie on the same side.
     fn nearest(&self, point: DVec3, edge: &OpenEdge, near: &mut usize) -> Option<&OpenEdge> {
         let point = point.to_array();
-        let distance = self.tree.distance_from_hint(point, near);
+        let distance = self.tree.distance_from_some(point, MAX_VISITS, near);
         let mut found = self.edges.get(*near)?;
         if !found.is_parallel(edge) {
             // The other side of a seam is as near.
-            let mut least = SAME_PLACE * distance;
+            let (mut least, mut left) = (SAME_PLACE * distance, MAX_VISITS);
             self.tree.visit_within(point, least, |candidate, away| {
                 if away <= least && self.edges[candidate].is_parallel(edge) {
                     (found, least) = (&self.edges[candidate], away);
                 }
-                least
+                left = left.saturating_sub(1);
+                if left == 0 { -1.0 } else { least }
             });
         }
         Some(found).filter(|found| found.is_parallel(edge))

@@ -11,6 +11,9 @@ const SAME_SIDE: f64 = 0.2;
 const REACH: f64 = 3.0;
 const REACH_SHARE: f64 = 0.005;
 
+/// Largest number of triangles that one search looks at: the spokes of a wheel are near to each point of it.
+pub(super) const MAX_VISITS: usize = 2048;
+
 /// A point of a triangle, by the shares of its corners.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FitPoint {
@@ -84,16 +87,17 @@ impl FitSurface {
             let other = self.normals[triangle];
             normal.dot(other) > SAME_SIDE * (normal.length_squared() * other.length_squared()).sqrt()
         };
-        let distance = self.tree.distance_from_hint(point.to_array(), near);
+        let distance = self.tree.distance_from_some(point.to_array(), MAX_VISITS, near);
         let mut found = *near;
         if found < self.corners.len() && !faces_side(found) {
-            let mut least = REACH * distance + self.reach;
+            let (mut least, mut left) = (REACH * distance + self.reach, MAX_VISITS);
             found = usize::MAX;
             self.tree.visit_within(point.to_array(), least, |candidate, away| {
                 if away < least && faces_side(candidate) {
                     (found, least) = (candidate, away);
                 }
-                least
+                left = left.saturating_sub(1);
+                if left == 0 { -1.0 } else { least }
             });
         }
         (found < self.corners.len()).then(|| on(found))
