@@ -61,7 +61,9 @@ fn check_pieces(source: &dyn PieceSource) {
 fn check_plan(input: BuildInput, folder: &Path) {
     let (output, work) = (folder.join("x.striata"), folder.join("work"));
     let paths = BuildPaths { output: &output, folder: &work };
-    let Ok(plan) = PagedPlan::make(input, BuildOptions::default(), paths, 1, &mut ignore_progress) else { return };
+    let Ok(plan) = PagedPlan::make(input, BuildOptions::default(), paths, 1, &mut ignore_progress) else {
+        return;
+    };
     let again = PagedPlan::open(&work).expect("a plan that was written can be opened");
     assert_eq!(again.metadata, plan.metadata);
 }

@@ -200,11 +200,10 @@ fn check_distances(rasters: &[Box<dyn Raster>], [west, north]: [f64; 2]) -> Resu
     for raster in rasters {
         let (placement, size) = (raster.placement(), raster.size().map(|count| count as f64));
         let at = [placement.west - west, north - placement.north];
-        for axis in 0..2 {
-            grid[axis] = grid[axis].max(at[axis] / placement.step[axis] + size[axis]);
-        }
+        grid = [0, 1].map(|axis| grid[axis].max(at[axis] / placement.step[axis] + size[axis]));
         samples += size[0] * size[1];
-        if !(grid[0] * grid[1] <= MAX_GRID_PER_SAMPLE * samples.max(1e6)) {
+        let is_near = grid[0] * grid[1] <= MAX_GRID_PER_SAMPLE * samples.max(1e6);
+        if !is_near {
             let reason = format!(
                 "its place is too far from the other rasters: {} by {} samples in all",
                 grid[0], grid[1]
