@@ -11,6 +11,7 @@ use striata::mesh::IndexedMesh;
 use striata_io::pieces::{PieceOptions, PieceSource as _, Terrain, is_raster};
 use striata_io::{Format, Place, ReadError, Source, decompressed, read_bytes_with_report};
 
+use crate::args::RasterArgs;
 use crate::failure::{Excerpt, Failure, decode_hint};
 use crate::output::Output;
 use crate::shapes::Shape;
@@ -28,8 +29,8 @@ pub struct Input {
 enum Content {
     File(FileContent),
     Shape(Shape),
-    /// Raster of heights, and the sample that the user takes for none.
-    Raster(PathBuf, Option<f64>),
+    /// Raster of heights, and how it is read.
+    Raster(PathBuf, RasterArgs),
 }
 
 #[derive(Debug)]
@@ -72,7 +73,7 @@ impl Input {
             Self::check_exists(path)?;
             return Ok(Self {
                 name: path.display().to_string(),
-                content: Content::Raster(path.to_owned(), None),
+                content: Content::Raster(path.to_owned(), RasterArgs::default()),
             });
         }
         let is_stdin = path == Path::new("-");
@@ -93,19 +94,23 @@ impl Input {
         Ok(Self { name, content: Content::File(content) })
     }
 
-    /// Sets the sample of a raster that stands for no height, besides the one that the file names.
+    /// Sets how a raster is read.
     ///
     /// # Errors
-    /// If the input is no raster.
-    pub fn with_nodata(mut self, nodata: Option<f64>) -> Result<Self, Failure> {
-        match (&mut self.content, nodata) {
-            (Content::Raster(_, known), _) => *known = nodata,
-            (_, None) => {}
-            _ => {
-                let message = format!("--nodata is for rasters of heights; {} is none", self.name);
-                return Err(Failure::usage(message));
-            }
+    /// If the input is no raster, or the heights would not be finite.
+    pub fn with_raster(mut self, raster: RasterArgs) -> Result<Self, Failure> {
+        let flag = match raster {
+            RasterArgs { nodata: Some(_), .. } => "--nodata",
+            RasterArgs { z_scale: Some(_), .. } => "--z-scale",
+            _ => return Ok(self),
+        };
+        let Content::Raster(_, known) = &mut self.content else {
+            return Err(Failure::usage(format!("{flag} is for rasters of heights; {} is none", self.name)));
+        };
+        if raster.z_scale.is_some_and(|factor| !factor.is_finite() || factor == 0.0) {
+            return Err(Failure::usage("--z-scale must be a finite number other than 0"));
         }
+        *known = raster;
         Ok(self)
     }
 
@@ -213,8 +218,9 @@ impl Input {
         let file = match &self.content {
             Content::File(file) => file,
             Content::Shape(shape) => return Ok(shape.mesh()),
-            Content::Raster(path, nodata) => {
-                let options = PieceOptions::default().with_nodata(*nodata);
+            Content::Raster(path, RasterArgs { nodata, z_scale }) => {
+                let options =
+                    PieceOptions::default().with_nodata(*nodata).with_z_scale(z_scale.unwrap_or(1.0));
                 let terrain = Terrain::open(std::slice::from_ref(path), &options)?;
                 let mesh = terrain.mesh()?;
                 output.warn(&terrain.warnings())?;

@@ -1,6 +1,8 @@
 //! Origin of the bytes that are read.
 
-use std::path::Path;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
 /// Origin of bytes: used for messages, for the extension, and for files in the same folder.
 #[derive(Clone, Copy, Debug, Default)]
@@ -12,6 +14,8 @@ pub struct Source<'a> {
     /// Whether references may lead to folders above `folder` (`../textures/wood.png`). Off by default, because
     /// an untrusted file could otherwise include any file of the machine; readers that get a path set it.
     pub outside_allowed: bool,
+    /// Where the paths of the files that references lead to are collected, once they are opened.
+    pub followed: Option<&'a Mutex<BTreeSet<PathBuf>>>,
 }
 
 impl<'a> Source<'a> {
@@ -23,7 +27,7 @@ impl<'a> Source<'a> {
     /// Creates the source of a file at a path: references start at its folder and may lead to others.
     pub fn of_path(name: &'a str, path: &'a Path) -> Self {
         let folder = path.parent().map(|p| if p.as_os_str().is_empty() { Path::new(".") } else { p });
-        Self { name, folder, outside_allowed: true }
+        Self { name, folder, outside_allowed: true, ..Self::default() }
     }
 
     /// Sets the folder of the files that the source refers to.

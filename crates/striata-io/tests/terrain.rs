@@ -259,7 +259,12 @@ fn voids_are_recognized_and_damage_is_named() {
     assert_eq!([holes(None), holes(Some(-9999.9)), holes(Some(-9999.0))], [12, 11, 12]);
     (heights[0], heights[3], heights[11]) = (-3.4e38, 3.0e38, -3.4e38);
     write_floats(&path, &heights, &[], None);
-    assert_eq!(striata_io::read(&path).unwrap().vertex_count(), 9);
+    let report = striata_io::read_with_report(&path).unwrap();
+    assert_eq!((report.mesh.vertex_count(), report.warnings.len()), (9, 2));
+    let text = report.warnings[0].to_string();
+    assert!(text.contains("samples of -3.4e38 are taken for none"), "{text}");
+    let source = open_pieces(&path, &PieceOptions::default()).unwrap();
+    assert_eq!((source.read_piece(0).unwrap().positions.len(), source.warnings()), (9, report.warnings));
     heights[8] = 2.0e35;
     write_floats(&path, &heights, &[], None);
     let message = striata_io::read(&path).unwrap_err().to_string();
@@ -267,6 +272,36 @@ fn voids_are_recognized_and_damage_is_named() {
     let source = open_pieces(&path, &PieceOptions::default()).unwrap();
     assert!(source.read_piece(0).is_err());
     assert_eq!(holes(Some(2.0e35)), 8);
+}
+
+/// What may be a height or a void is kept, with a remark.
+#[test]
+fn usual_voids_are_pointed_out() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("a.tif");
+    let mut heights: Vec<f32> = (0..12).map(|i| i as f32).collect();
+    let remarks = |nodata: Option<f64>| {
+        let options = PieceOptions::default().with_nodata(nodata);
+        let terrain = Terrain::open(std::slice::from_ref(&path), &options).unwrap();
+        (terrain.mesh().unwrap().vertex_count(), terrain.warnings().len())
+    };
+    write_floats(&path, &heights, &[], None);
+    assert_eq!(remarks(None), (12, 0));
+    heights[0] = -9999.0;
+    write_floats(&path, &heights, &[], None);
+    assert_eq!(remarks(None), (12, 1));
+    assert_eq!(remarks(Some(-9999.0)), (11, 0));
+}
+
+/// Rasters at the two ends of the world are no terrain of their size squared.
+#[test]
+fn rasters_far_apart_are_refused() {
+    let folder = TempDir::new().unwrap();
+    let paths = ["a.tif", "b.tif"].map(|name| folder.path().join(name));
+    write_tiff(&paths[0], 2, 2, [0.0, 0.0], &[1; 4]);
+    write_tiff(&paths[1], 2, 2, [1e15, 1e15], &[1; 4]);
+    let text = message(open_all(&paths, &PieceOptions::default()));
+    assert!(text.contains("too far from the other rasters"), "{text}");
 }
 
 /// The place of a raster stays with its mesh in all formats that can say it.

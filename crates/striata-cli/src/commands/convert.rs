@@ -33,7 +33,7 @@ pub(crate) fn run(args: &ConvertArgs, output: &Output) -> Result<(), Failure> {
     output.check_stdout_is_free(is_stdout(path))?;
     let format = format_of(path, &args.output.format)?;
     check_place(path)?;
-    let input = paged::open_input(&args.input, usize::MAX)?.with_nodata(args.raster.nodata)?;
+    let input = paged::open_input(&args.input, usize::MAX)?.with_raster(args.raster)?;
     let textures = args.textures.options();
     let report = if format.has_scenes() && input.scene_kind().is_some() && !args.scene.flat {
         let scene = edited(input.scene(output)?, &args.edits, false, output)?;

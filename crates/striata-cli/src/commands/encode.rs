@@ -49,7 +49,7 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     let mut bar = output.bar();
     phases.enter("read");
     bar.phase("read");
-    let input = open_input(&args.input, usize::MAX)?.with_nodata(args.raster.nodata)?;
+    let input = open_input(&args.input, usize::MAX)?.with_raster(args.raster)?;
     if is_scene(&input, format, args) {
         return encode_scene(args, &input, &path, format, output);
     }

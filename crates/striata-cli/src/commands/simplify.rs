@@ -31,7 +31,7 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let placement = ChosenPlacement::of(args)?;
     let mut bar = output.bar();
     bar.phase("read");
-    let input = open_input(&args.input, usize::MAX)?.with_nodata(args.raster.nodata)?;
+    let input = open_input(&args.input, usize::MAX)?.with_raster(args.raster)?;
     if (input.scene_kind().is_some() && !args.scene.flat) || args.levels.lod_chain {
         drop(bar);
         return simplify_scene(args, placement, &input, started, output);

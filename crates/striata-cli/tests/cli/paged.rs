@@ -396,6 +396,13 @@ fn rasters_are_inputs_like_any_other() {
         let holes = json(&bench, &format!("{line} --nodata {named}"))["vertex_count"].as_u64().unwrap();
         assert!(holes < all, "{line}: {holes} of {all}");
     }
+    let height = |line: &str| {
+        bench.run(&format!("{line} --quiet")).success();
+        mesh(&bench, "scaled.ply").positions.iter().map(|p| p[2]).fold(f32::MIN, f32::max)
+    };
+    let plain = height("convert N47E011.hgt scaled.ply");
+    assert_eq!(height("convert N47E011.hgt scaled.ply --z-scale 3"), 3.0 * plain);
+    assert_eq!(height("simplify N47E011.hgt -o scaled.ply --detail 1 --z-scale 3"), 3.0 * plain);
     bench.run("build N47E011.hgt -o pages.striata --quiet").success();
     for line in [
         "build N47E011.hgt -o other.striata",
@@ -421,6 +428,10 @@ fn rasters_are_inputs_like_any_other() {
     assert!(message.contains("streams of finer levels"), "{message}");
     let message = stderr(&bench.run("info full.glb --nodata -9999").failure());
     assert!(message.contains("--nodata is for rasters of heights"), "{message}");
+    let message = stderr(&bench.run("info full.glb --z-scale 2").failure());
+    assert!(message.contains("--z-scale is for rasters of heights"), "{message}");
+    let message = stderr(&bench.run("info N47E011.hgt --z-scale 0").failure());
+    assert!(message.contains("--z-scale must be a"), "{message}");
     let message = stderr(&bench.run("info none.tif").failure());
     assert!(message.contains("none.tif"), "{message}");
 }
@@ -467,6 +478,50 @@ fn a_changed_input_of_the_same_time_is_noticed() {
     bench.write("grid.bin", bytes);
     let message = stderr(&bench.run("run u.striata.work").failure());
     assert!(message.contains("grid.bin: the file has changed since the build was planned"), "{message}");
+}
+
+/// Materials and images of an input are part of the result too.
+#[test]
+fn a_changed_image_or_library_is_noticed() {
+    let bench = Workbench::new();
+    let image = |gray: u8| {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, 1, 1);
+        encoder.set_color(png::ColorType::Grayscale);
+        encoder.write_header().unwrap().write_image_data(&[gray]).unwrap();
+        bytes
+    };
+    bench.write(
+        "box.obj",
+        "mtllib box.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\n",
+    );
+    bench.write("box.mtl", "newmtl a\nKd 1 1 1\nmap_Kd skin.png\n");
+    bench.write("skin.png", image(1));
+    bench.run("convert box.obj glued.gltf --quiet").success();
+    bench.write(
+        "named.ply",
+        "ply\nformat ascii 1.0\ncomment TextureFile skin.png\nelement vertex 3\nproperty float x\n\
+         property float y\nproperty float z\nproperty float s\nproperty float t\nelement face 1\n\
+         property list uchar int vertex_indices\nend_header\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n",
+    );
+    for (input, changed) in [
+        ("box.obj", "skin.png"),
+        ("box.obj", "box.mtl"),
+        ("glued.gltf", "skin.png"),
+        ("named.ply", "skin.png"),
+    ] {
+        bench.run(&format!("plan {input} -o t.striata")).success();
+        let before = bench.read(changed);
+        match changed {
+            "box.mtl" => bench.write(changed, "newmtl a\nKd 1 1 0\nmap_Kd skin.png\n"),
+            _ => bench.write(changed, image(2)),
+        }
+        let message = stderr(&bench.run("run t.striata.work").failure());
+        let expected = format!("{changed}: the file has changed since the build was planned");
+        assert!(message.contains(&expected), "{input}: {message}");
+        bench.write(changed, before);
+        bench.run("run t.striata.work --quiet").success();
+    }
 }
 
 #[test]

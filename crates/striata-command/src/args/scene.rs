@@ -14,6 +14,14 @@ pub struct RasterArgs {
         help_heading = "Terrain (.tif, .hgt, .png)"
     )]
     pub nodata: Option<f64>,
+    /// Multiply the heights of a terrain
+    #[arg(
+        long,
+        value_name = "FACTOR",
+        allow_negative_numbers = true,
+        help_heading = "Terrain (.tif, .hgt, .png)"
+    )]
+    pub z_scale: Option<f64>,
 }
 
 /// Whether a scene is treated as one mesh.

@@ -93,7 +93,12 @@ impl<'a> Companions<'a> {
                     continue;
                 }
                 match self.folders.open(folder, path, in_any_case) {
-                    Ok(opened) => return Ok((path, opened)),
+                    Ok(opened) => {
+                        if let Some(mut followed) = self.source.followed.and_then(|list| list.lock().ok()) {
+                            followed.insert(opened.path.clone());
+                        }
+                        return Ok((path, opened));
+                    }
                     Err(Missing::NotFound) => {}
                     Err(Missing::Refused(reason)) => drop(refusal.get_or_insert(reason)),
                 }

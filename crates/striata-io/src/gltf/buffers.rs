@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::io;
 use std::ops::Deref;
-use std::path::PathBuf;
 
 use super::compression::{self, GeometryCompression};
 use super::json::JsonNode;
@@ -19,8 +18,6 @@ pub(crate) struct Buffers<B> {
     /// Place of the bytes of each entry of `buffers`.
     entries: Vec<BufferPlace>,
     file_bytes: u64,
-    /// Paths of the files.
-    files: Vec<PathBuf>,
 }
 
 /// Place of the bytes of a buffer.
@@ -41,7 +38,7 @@ impl<B: Deref<Target = [u8]> + From<Vec<u8>>> Buffers<B> {
         source: &Source<'_>,
         read: impl Fn(File) -> io::Result<B>,
     ) -> Result<Self, Fault> {
-        let mut buffers = Self { loaded: Vec::new(), entries: Vec::new(), file_bytes: 0, files: Vec::new() };
+        let mut buffers = Self { loaded: Vec::new(), entries: Vec::new(), file_bytes: 0 };
         let mut known: BTreeMap<&str, usize> = BTreeMap::new();
         let mut companions = Companions::new(source);
         for (index, at) in root.entries("buffers")?.iter().enumerate() {
@@ -82,7 +79,6 @@ impl<B: Deref<Target = [u8]> + From<Vec<u8>>> Buffers<B> {
             return data.map(|(bytes, _)| bytes.into()).map_err(|reason| at.fault(reason));
         }
         let found = companions.find("", uri, NameKind::Uri).file;
-        self.files.extend(found.iter().map(|found| found.path.clone()));
         let bytes = found.and_then(|found| read(found.file).map_err(|error| error.to_string()));
         let bytes = bytes.map_err(|reason| at.fault(format!("`{}`: {reason}", uri::shortened(uri))))?;
         self.file_bytes += bytes.len() as u64;
@@ -108,11 +104,5 @@ impl<B: Deref<Target = [u8]> + From<Vec<u8>>> Buffers<B> {
     #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
     pub(crate) fn file_bytes(&self) -> u64 {
         self.file_bytes
-    }
-
-    /// Returns the paths of these files.
-    #[cfg(all(feature = "pieces", not(target_family = "wasm")))]
-    pub(crate) fn files(&self) -> &[PathBuf] {
-        &self.files
     }
 }

@@ -1,8 +1,10 @@
 //! Bytes of a file, mapped into memory, so that files may be larger than it.
 
+use std::collections::BTreeSet;
 use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
 use super::PieceOptions;
 use super::scratch::{Mapped, scratch_error, scratch_file};
@@ -27,6 +29,8 @@ pub(crate) struct PieceInput {
     pub file: File,
     /// Unpacked bytes.
     pub bytes: Mapped,
+    /// Files that it refers to, as far as they have been opened.
+    followed: Mutex<BTreeSet<PathBuf>>,
     /// Size of the file itself.
     pub(super) file_bytes: u64,
     /// Size of the unpacked file, before any conversion.
@@ -44,7 +48,8 @@ impl PieceInput {
         let (file_bytes, folder) = (bytes.len() as u64, folder.to_owned());
         let inner_name = name.clone();
         let unpacked_bytes = file_bytes;
-        let mut input = Self { name, inner_name, folder, file, bytes, file_bytes, unpacked_bytes };
+        let followed = Mutex::default();
+        let mut input = Self { name, inner_name, folder, file, bytes, followed, file_bytes, unpacked_bytes };
         // The same number of nested compressions as for meshes in memory.
         for _ in 0..3 {
             let Some(compression) = Compression::of(&input.bytes) else { break };
@@ -101,6 +106,12 @@ impl PieceInput {
 
     /// The input for readers of whole files.
     pub(crate) fn source(&self) -> Source<'_> {
-        Source::new(&self.name).with_folder(&self.folder).with_outside_allowed(true)
+        let source = Source::new(&self.name).with_folder(&self.folder).with_outside_allowed(true);
+        Source { followed: Some(&self.followed), ..source }
+    }
+
+    /// The files that readers have followed references to: buffers, images, material libraries.
+    pub(super) fn companions(&self) -> Vec<PathBuf> {
+        self.followed.lock().map(|files| files.iter().cloned().collect()).unwrap_or_default()
     }
 }

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use striata::mesh::IndexedMesh;
 
+use super::input::PieceInput;
 use super::local::localize;
 use super::{LayerKind, Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
 use crate::error::Place;
@@ -52,9 +53,10 @@ impl MeshPieces {
         self
     }
 
-    /// Sets the size of the file and the remarks on it.
-    pub(super) fn with_file(mut self, byte_count: u64, warnings: Vec<Warning>) -> Self {
-        (self.summary.byte_count, self.summary.warnings) = (byte_count, warnings);
+    /// Sets the size of the file, the files that it refers to, and the remarks on it.
+    pub(super) fn with_file(mut self, input: &PieceInput, warnings: Vec<Warning>) -> Self {
+        (self.summary.byte_count, self.summary.warnings) = (input.file_bytes, warnings);
+        self.summary.companions = input.companions();
         self
     }
 

@@ -106,7 +106,7 @@ pub struct PieceSummary {
     pub triangle_count: u64,
     /// Total size of the files, in bytes.
     pub byte_count: u64,
-    /// Other files that the pieces are read from, such as the buffers of glTF.
+    /// Other files that the input refers to: buffers, images, material libraries.
     pub companions: Vec<PathBuf>,
     /// Georeference of a raster: a JSON object, stored as it is. That of a mesh file is in its appearance.
     pub georeference: Option<serde_json::Value>,

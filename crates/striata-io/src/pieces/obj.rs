@@ -112,6 +112,7 @@ impl ObjPieces {
             layers: used.layers(),
             triangle_count: count as u64,
             byte_count: input.file_bytes,
+            companions: input.companions(),
             warnings: warnings.into_list(),
             ..PieceSummary::default()
         };

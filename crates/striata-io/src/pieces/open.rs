@@ -59,7 +59,7 @@ fn in_memory(input: &PieceInput, options: &PieceOptions) -> Result<Box<dyn Piece
     let pieces = MeshPieces::new(report.mesh)
         .with_name(&input.name)
         .with_piece_triangle_count(options.piece_triangle_count)
-        .with_file(input.file_bytes, report.warnings);
+        .with_file(input, report.warnings);
     pieces.check()?;
     Ok(Box::new(pieces))
 }

@@ -96,6 +96,7 @@ impl PlyPieces {
             ..PieceSummary::default()
         };
         attach_textures(&mut summary, &input, &header, warnings, &vertices);
+        summary.companions = input.companions();
         summary.appearance.georeference.clone_from(&header.georeference);
         let count = summary.triangle_count as usize;
         let warnings = Warnings::of_list(&input.name, summary.warnings.clone());

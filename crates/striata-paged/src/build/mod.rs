@@ -89,6 +89,8 @@ impl PagedPlan {
         inputs.extend(input::states_of(&source.summary().companions)?);
         let scanned = scan::scan(source.as_ref(), &options, threads, progress)?;
         input::check_inputs(&inputs)?;
+        // Results of an earlier plan would count as those of this one.
+        remove_files(folder, is_result)?;
         let mut plan = Self::new(input, inputs, options, scanned, paths);
         plan.warnings = source.warnings();
         plan.save()?;
@@ -161,14 +163,22 @@ impl WorkLock {
 /// # Errors
 /// [`PagedBuildError::Io`] if a file cannot be removed.
 pub fn remove_work(folder: &Path) -> Result<(), PagedBuildError> {
+    remove_files(folder, |name| is_result(name) || name == LOCK_NAME || name.starts_with(".part-"))?;
+    // The folder may contain other files.
+    let _ = fs::remove_dir(folder);
+    Ok(())
+}
+
+/// Whether a file of a work folder belongs to a plan or is a result of its tasks.
+fn is_result(name: &str) -> bool {
+    ["plan.json", "partition.bin", "weld.bin", "finished"].contains(&name) || name.ends_with(".part")
+}
+
+/// Removes some files of a folder, by name.
+fn remove_files(folder: &Path, is_chosen: impl Fn(&str) -> bool) -> Result<(), PagedBuildError> {
     let Ok(files) = fs::read_dir(folder) else { return Ok(()) };
-    let is_ours = |path: &PathBuf| {
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        ["plan.json", "partition.bin", "weld.bin", "finished", LOCK_NAME].contains(&name.as_str())
-            || name.ends_with(".part")
-            || name.starts_with(".part-")
-    };
-    for path in files.flatten().map(|file| file.path()).filter(is_ours) {
+    let is_chosen = |path: &PathBuf| is_chosen(&path.file_name().unwrap_or_default().to_string_lossy());
+    for path in files.flatten().map(|file| file.path()).filter(is_chosen) {
         match fs::remove_file(&path) {
             Err(source) if source.kind() != std::io::ErrorKind::NotFound => {
                 return Err(PagedBuildError::io(&path, source));
@@ -176,7 +186,5 @@ pub fn remove_work(folder: &Path) -> Result<(), PagedBuildError> {
             _ => {}
         }
     }
-    // The folder may contain other files.
-    let _ = fs::remove_dir(folder);
     Ok(())
 }

@@ -102,7 +102,7 @@ pub(crate) fn run(args: &InfoArgs, output: &Output) -> Result<(), Failure> {
     if paged::is_paged_file(&args.input) {
         return paged::info(&args.input, output);
     }
-    let input = Input::open(&args.input)?.with_nodata(args.raster.nodata)?;
+    let input = Input::open(&args.input)?.with_raster(args.raster)?;
     let (mut report, mesh) = if input.has_levels() {
         of_container(&input, output)?
     } else if let Some((facts, scene)) = scene_of(&input, args, output)? {

@@ -4,8 +4,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-use striata::file::{FileModel, WriteOptions, write_striata};
-use striata::model::Fans;
+use striata::file::{WriteOptions, write_striata};
 use striata_command::failure::Failure;
 use striata_command::input::Input;
 use striata_paged::{HEAD_NAME, PAGED_MAGIC, PagedFile};
@@ -22,7 +21,7 @@ pub(crate) fn is_paged_file(path: &Path) -> bool {
 }
 
 /// Opens an input. Of a paged file, reads all levels with up to `triangle_count` triangles; the result is the same as a
-/// .striata file with fans.
+/// .striata file without models.
 ///
 /// # Errors
 /// If the input cannot be read.
@@ -34,10 +33,8 @@ pub(crate) fn open_input(path: &Path, triangle_count: usize) -> Result<Input, Fa
     let mut file = PagedFile::open(&name).map_err(failure_of)?;
     let assembled = file.level_for_triangles(triangle_count).map_err(failure_of)?;
     let known = assembled.refinable;
-    let fans = Fans::build(&known);
     let mut bytes = Vec::new();
     let options = WriteOptions::default().with_metadata("source", file.metadata().source.clone());
-    write_striata(&known, &[FileModel::Fans(&fans)], &options, &mut bytes)
-        .map_err(|error| Failure::internal(error.to_string()))?;
+    write_striata(&known, &[], &options, &mut bytes).map_err(|error| Failure::internal(error.to_string()))?;
     Input::of_bytes(&name, bytes)
 }

@@ -45,11 +45,12 @@ pub(crate) fn run(args: &RenderArgs, output: &Output) -> Result<(), Failure> {
         let figures = vec![source.target(None)?];
         return draw(args, (&source, figures), (output, bar, started));
     }
-    let input = open_input(&args.input, paged_triangle_limit(args))?;
-    let input = input.with_nodata(args.raster.nodata)?;
+    let pages = is_paged_file(&args.input).then(|| page_limits(args)).transpose()?;
+    let input = open_input(&args.input, pages.map_or(usize::MAX, |pages| pages.triangle_count))?;
+    let input = input.with_raster(args.raster)?;
     let mut source = PictureSource::read(args, &input, output, &mut bar)?;
-    if is_paged_file(&args.input) {
-        source = source.of_pages(page_limits(args)?);
+    if let Some(pages) = pages {
+        source = source.of_pages(pages);
     }
     let figures = figures(args, &source, &input)?;
     draw(args, (&source, figures), (output, bar, started))
@@ -83,7 +84,8 @@ fn draw(
     output.summary(&report, &report.to_text())
 }
 
-/// Returns the size of a paged file, to which percentages refer, and the limit of its pictures.
+/// Returns the size of a paged file, to which percentages refer, and the most triangles
+/// that a picture shows.
 ///
 /// # Errors
 /// If the file is damaged.
@@ -93,7 +95,13 @@ fn page_limits(args: &RenderArgs) -> Result<PageLimits, Failure> {
     let [vertex_count, triangle_count] =
         [metadata.vertex_count, metadata.triangle_count].map(|count| count as usize);
     let full = FullMesh { diagonal: 0.0, vertex_count, triangle_count };
-    Ok(PageLimits { full, triangle_count: paged_triangle_limit(args) })
+    let wanted = match &args.levels {
+        Some(levels) => levels.iter().map(|count| count.of_triangles(triangle_count)).max(),
+        None => args.level.level.triangle_count().map(|count| count.of_triangles(triangle_count)),
+    };
+    let [width, height] = args.size.0.map(|pixels| pixels as usize);
+    let limit = TRIANGLES_PER_PIXEL * width * height;
+    Ok(PageLimits { full, triangle_count: limit.min(wanted.unwrap_or(usize::MAX)) })
 }
 
 /// Returns the level of a paged file for a view.
@@ -113,12 +121,6 @@ fn paged_view(args: &RenderArgs, eye: Point) -> Result<Figure, Failure> {
 
 /// A picture shows no more triangles of a paged file than this for each of its pixels.
 const TRIANGLES_PER_PIXEL: usize = 2;
-
-/// Returns the most triangles of a paged file that a picture shows.
-fn paged_triangle_limit(args: &RenderArgs) -> usize {
-    let [width, height] = args.size.0.map(|pixels| pixels as usize);
-    TRIANGLES_PER_PIXEL * width * height
-}
 
 /// Checks combinations of flags that the parser cannot check.
 ///

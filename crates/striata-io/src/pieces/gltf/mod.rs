@@ -74,7 +74,7 @@ impl GltfPieces {
             appearance,
             triangle_count: outline.triangle_count,
             byte_count: opened.byte_count(),
-            companions: opened.buffer_files().to_vec(),
+            companions: opened.companions(),
             georeference: None,
             warnings: warnings.into_list(),
         };

@@ -60,9 +60,9 @@ impl OpenedDocument {
         self.input.file_bytes + self.buffers.file_bytes()
     }
 
-    /// Paths of the files of its buffers.
-    pub(super) fn buffer_files(&self) -> &[PathBuf] {
-        self.buffers.files()
+    /// Paths of the files that it refers to.
+    pub(super) fn companions(&self) -> Vec<PathBuf> {
+        self.input.companions()
     }
 
     /// Creates a document for one thread, which shares what it decompresses with others.

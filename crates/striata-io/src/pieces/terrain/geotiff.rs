@@ -24,6 +24,9 @@ const GDAL_METADATA: Tag = Tag::Unknown(42_112);
 /// Larger heights stand for none in files that do not name a value for that, such as -3.4e38.
 const LARGEST_HEIGHT: f32 = 1e30;
 
+/// Samples that often stand for none in files that do not say so. They are kept, since they may be heights.
+const USUAL_SENTINELS: [f32; 3] = [-9999.0, -32_767.0, -32_768.0];
+
 /// Number of different values beyond that which stand for no height.
 const MAX_SENTINELS: usize = 2;
 
@@ -50,6 +53,8 @@ struct State {
     chunks: VecDeque<(u32, Arc<TiffChunk>)>,
     /// Samples found so far that are too large for heights, and taken for none.
     sentinels: Vec<f32>,
+    /// Which of [`USUAL_SENTINELS`] have been found.
+    has_usual: [bool; USUAL_SENTINELS.len()],
 }
 
 struct TiffChunk {
@@ -93,7 +98,12 @@ impl GeoTiff {
             size,
             chunk,
             placement,
-            state: Mutex::new(State { decoder, chunks: VecDeque::new(), sentinels: Vec::new() }),
+            state: Mutex::new(State {
+                decoder,
+                chunks: VecDeque::new(),
+                sentinels: Vec::new(),
+                has_usual: [false; 3],
+            }),
         })
     }
 
@@ -216,9 +226,24 @@ impl Raster for GeoTiff {
         false
     }
 
+    fn remarks(&self) -> Vec<String> {
+        let Ok(state) = self.state.lock() else { return Vec::new() };
+        let mut voids = state.sentinels.clone();
+        voids.sort_by(f32::total_cmp);
+        let voids = voids.iter().map(|value| {
+            format!(
+                "samples of {value:e} are taken for none, although the file does not say what stands for that"
+            )
+        });
+        let usual = USUAL_SENTINELS.iter().zip(state.has_usual).filter(|(_, found)| *found).map(|(value, _)| {
+            format!("samples of {value} are heights here, but often stand for none: name the value to leave them out")
+        });
+        voids.chain(usual).collect()
+    }
+
     fn read(&self, at: [u64; 2], [width, height]: [u64; 2]) -> Result<Vec<f32>, ReadError> {
         let mut heights = vec![f32::NAN; (width * height) as usize];
-        let mut sentinels = Vec::new();
+        let (mut sentinels, mut has_usual) = (Vec::new(), [false; USUAL_SENTINELS.len()]);
         let top = at[1];
         let at = if self.is_from_south { [at[0], self.size[1] - at[1] - height] } else { at };
         let row_of = |y: u64| if self.is_from_south { self.size[1] - 1 - y - top } else { y - top };
@@ -239,12 +264,20 @@ impl Raster for GeoTiff {
                         // The file may name the sample with more digits than it has.
                         let is_named = || self.nodata.iter().flatten().any(|&named| named as f32 == value);
                         if value.abs() <= LARGEST_HEIGHT && !is_named() {
+                            if let Some(at) = USUAL_SENTINELS.iter().position(|&usual| usual == value) {
+                                has_usual[at] = true;
+                            }
                             let value = f64::from(value) * self.scale[0] + self.scale[1];
                             heights[(row_of(y) * width + x - at[0]) as usize] = value as f32;
                         }
                     }
                 }
             }
+        }
+        if has_usual != [false; 3]
+            && let Ok(mut state) = self.state.lock()
+        {
+            has_usual.iter().zip(&mut state.has_usual).for_each(|(&found, known)| *known |= found);
         }
         Ok(heights)
     }

@@ -15,8 +15,9 @@ use serde_json::{Value, json};
 use striata::mesh::IndexedMesh;
 
 use super::{Piece, PieceGroup, PieceOptions, PieceSource, PieceSummary};
-use crate::ReadError;
 use crate::error::Place;
+use crate::report::Warnings;
+use crate::{ReadError, Warning};
 use raster::{Raster, RasterPlacement};
 
 /// Quads along each side of a piece.
@@ -25,6 +26,8 @@ const BLOCK: u64 = 224;
 const MAX_SAMPLES_IN_MEMORY: u64 = 1 << 27;
 /// Length of a degree of latitude, in meters.
 const METERS_PER_DEGREE: f64 = 111_319.490_793;
+/// The grid of all rasters may have this many times their own samples; what lies between them is void.
+const MAX_GRID_PER_SAMPLE: f64 = 10_000.0;
 /// Rasters lie on one grid if their offsets differ by less than this share of a sample.
 const MAX_SHIFT: f64 = 0.05;
 
@@ -83,6 +86,7 @@ impl Terrain {
             west = west.min(placement.west);
             north = north.max(placement.north);
         }
+        check_distances(&rasters, [west, north])?;
         let mut size = [0; 2];
         let mut placed = Vec::new();
         for raster in rasters {
@@ -190,6 +194,26 @@ fn check_same_grid(name: &str, first: &RasterPlacement, other: &RasterPlacement)
     Ok(())
 }
 
+/// Refuses rasters that are so far apart that the grid between them would be far larger than they are.
+fn check_distances(rasters: &[Box<dyn Raster>], [west, north]: [f64; 2]) -> Result<(), ReadError> {
+    let (mut grid, mut samples) = ([0.0f64; 2], 0.0);
+    for raster in rasters {
+        let (placement, size) = (raster.placement(), raster.size().map(|count| count as f64));
+        let at = [placement.west - west, north - placement.north];
+        grid = [0, 1].map(|axis| grid[axis].max(at[axis] / placement.step[axis] + size[axis]));
+        samples += size[0] * size[1];
+        let is_near = grid[0] * grid[1] <= MAX_GRID_PER_SAMPLE * samples.max(1e6);
+        if !is_near {
+            let reason = format!(
+                "its place is too far from the other rasters: {} by {} samples in all",
+                grid[0], grid[1]
+            );
+            return Err(misplaced(raster.name(), &reason));
+        }
+    }
+    Ok(())
+}
+
 impl PieceSource for Terrain {
     fn summary(&self) -> &PieceSummary {
         &self.summary
@@ -198,6 +222,16 @@ impl PieceSource for Terrain {
     fn piece_count(&self) -> u64 {
         let [columns, rows] = self.blocks();
         columns * rows
+    }
+
+    fn warnings(&self) -> Vec<Warning> {
+        let mut all = Warnings::of_list(&self.summary.name, self.summary.warnings.clone());
+        for PlacedRaster { raster, .. } in &self.rasters {
+            for remark in raster.remarks() {
+                all.push_for(raster.name(), Place::File, remark);
+            }
+        }
+        all.into_list()
     }
 
     fn read_piece(&self, index: u64) -> Result<Piece, ReadError> {

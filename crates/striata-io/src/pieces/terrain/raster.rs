@@ -29,6 +29,10 @@ pub(super) trait Raster: Send + Sync {
     fn is_raw(&self) -> bool {
         true
     }
+    /// Remarks on the samples that have been read.
+    fn remarks(&self) -> Vec<String> {
+        Vec::new()
+    }
     /// Reads a block of samples, row by row from the north; NaN for samples without a height.
     fn read(&self, at: [u64; 2], count: [u64; 2]) -> Result<Vec<f32>, ReadError>;
 }

@@ -92,7 +92,7 @@ impl Legality {
         }
         for (i, w) in ring.iter().enumerate() {
             let is_apex = (has_next && i == next) || (has_last && i == last);
-            if i != k && !is_apex && other.contains(w) {
+            if i != k && !is_apex && links.are_neighbors(*w, u) {
                 return false;
             }
         }

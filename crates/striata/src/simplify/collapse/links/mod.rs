@@ -18,6 +18,7 @@
 
 mod chain;
 mod edge;
+mod hubs;
 mod substitution;
 #[cfg(test)]
 mod tests;
@@ -25,6 +26,7 @@ mod tests;
 pub(in crate::simplify) use edge::{LinkEdge, LinkKind};
 
 use chain::LinkChain;
+use hubs::Hubs;
 
 #[derive(Clone, Copy, Debug)]
 struct Slab {
@@ -48,6 +50,7 @@ pub(in crate::simplify) struct Links {
     ring_triangles: Vec<u32>,
     edges: Vec<LinkEdge>,
     chain: LinkChain,
+    hubs: Hubs,
 }
 
 /// Maximum number of triangles around one position among which the nearest one is searched.
@@ -90,6 +93,7 @@ impl Links {
             ring_triangles: Vec::new(),
             edges: Vec::new(),
             chain: LinkChain::default(),
+            hubs: Hubs::default(),
         };
         let mut edges = Vec::new();
         for p in 0..position_count {
@@ -279,6 +283,7 @@ impl Links {
 
     /// Stores a link, as a ring if possible.
     fn set(&mut self, v: u32, edges: &[LinkEdge]) {
+        self.hubs.forget(v);
         let mut chain = std::mem::take(&mut self.chain);
         let kind = chain.order(edges);
         let len = chain.entries.len();

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::edge::{LinkEdge, LinkKind};
+use super::hubs::{HUB_ENTRIES, remove_entry};
 use super::{Links, Slab};
 
 /// Lists of more edges than this stay lists.
@@ -26,6 +27,7 @@ impl Links {
             }
         }
         self.ring = ring;
+        self.hubs.forget(v);
         let slab = &mut self.slabs[v as usize];
         slab.kind = LinkKind::Empty;
         slab.len = 0;
@@ -52,6 +54,7 @@ impl Links {
             }
             self.set(w, &edges);
         }
+        self.hubs.forget(v);
         let slab = &mut self.slabs[v as usize];
         slab.kind = LinkKind::Empty;
         slab.len = 0;
@@ -115,6 +118,7 @@ impl Links {
 
     /// Writes u's ring with entry `j` (which is v) replaced by the arc of v's ring.
     fn write_splice(&mut self, v: u32, u: u32, j: usize, arc: Range<usize>) {
+        self.hubs.forget(u);
         let (sv, su) = (self.slabs[v as usize], self.slabs[u as usize]);
         let (n, m) = (sv.len as usize, su.len as usize);
         let len = m - 1 + arc.len();
@@ -240,12 +244,16 @@ impl Links {
         let (start, n) = (slab.start as usize, slab.len as usize);
         let ring = &mut self.entries[start..start + n];
         if slab.kind != LinkKind::Edges {
-            let Some(i) = find(ring, v) else { return };
+            let is_hub = n > HUB_ENTRIES;
+            let hubs = &mut self.hubs;
+            let mut place = |ring: &[u32], p| if is_hub { hubs.find(w, ring, p) } else { find(ring, p) };
+            let Some(i) = place(ring, v) else { return };
             let (next, last) = (if i + 1 == n { 0 } else { i + 1 }, if i == 0 { n - 1 } else { i - 1 });
             // They are usually adjacent.
             let adjacent = [next, last].into_iter().find(|&k| ring[k] == u);
-            let Some(other) = adjacent.or_else(|| find(ring, u)) else {
+            let Some(other) = adjacent.or_else(|| place(ring, u)) else {
                 ring[i] = u;
+                self.hubs.rename(w, v, u);
                 return;
             };
             let is_closed = slab.kind == LinkKind::Closed;
@@ -253,16 +261,19 @@ impl Links {
             let precedes = other == last && (is_closed || last + 1 == i);
             let stays_ring = if is_closed { n > 3 } else { n > 2 };
             if stays_ring && follows != precedes {
-                ring.copy_within(i + 1.., i);
-                self.slabs[w as usize].len -= 1;
+                self.hubs.remove(w, v);
+                let is_head = remove_entry(&mut self.entries, slab, i);
                 if self.follows_triangles {
                     // The triangle between v and u vanishes; if u comes first, it gets v's other triangle.
-                    let triangles = &mut self.triangles[start..start + n];
                     if precedes {
-                        triangles[last] = triangles[i];
+                        self.triangles[start + last] = self.triangles[start + i];
                     }
-                    triangles.copy_within(i + 1.., i);
+                    remove_entry(&mut self.triangles, slab, i);
                 }
+                let slab = &mut self.slabs[w as usize];
+                slab.len -= 1;
+                slab.start += u32::from(is_head);
+                slab.capacity -= u32::from(is_head);
                 return;
             }
         }
@@ -289,7 +300,7 @@ impl Links {
 }
 
 /// Index of a position in a ring. Blocks are compared as a whole, which is several times faster at hubs.
-fn find(ring: &[u32], p: u32) -> Option<usize> {
+pub(super) fn find(ring: &[u32], p: u32) -> Option<usize> {
     const BLOCK: usize = 32;
     let has = |block: &[u32]| block.iter().fold(false, |found, &x| found | (x == p));
     let block = ring.chunks(BLOCK).position(has)?;

@@ -74,28 +74,32 @@ fn check_against_substitution(triangles: &[[u32; 3]], count: usize, collapses: &
     }
 }
 
-fn check_one(mut triangles: Vec<[u32; 3]>, count: usize, collapses: &[(u32, u32)], follows: bool) {
+/// Compares after every collapse.
+fn check_one(triangles: Vec<[u32; 3]>, count: usize, collapses: &[(u32, u32)], follows: bool) {
+    for end in 1..=collapses.len() {
+        check_at_end(triangles.clone(), count, &collapses[..end], follows);
+    }
+}
+
+fn check_at_end(mut triangles: Vec<[u32; 3]>, count: usize, collapses: &[(u32, u32)], follows: bool) {
     let mut links = Links::new(count, &triangles, follows);
     let input = triangles.clone();
-    let mut alive: Vec<usize> = (0..triangles.len()).collect();
     for &(v, u) in collapses.iter().filter(|(v, u)| v != u) {
         links.collapse(v, u);
         for t in &mut triangles {
             *t = t.map(|x| if x == v { u } else { x });
         }
-        alive.retain(|&t| {
-            let [a, b, c] = triangles[t];
-            a != b && b != c && c != a
-        });
-        let expected: Vec<_> = alive.iter().map(|&t| triangles[t]).collect();
-        assert_eq!(triangles_of(&links), canonical_triangles(&expected), "after {v} -> {u} of {input:?}");
-        let mut edges = Vec::new();
-        for w in (0..count as u32).filter(|_| follows) {
-            links.edges_into(w, &mut edges);
-            for e in &edges {
-                let found = canonical_triangles(&[[w, e.a, e.b]]);
-                assert_eq!(found, canonical_triangles(&[triangles[e.triangle as usize]]), "triangle indices");
-            }
+    }
+    let expected: Vec<_> =
+        triangles.iter().copied().filter(|&[a, b, c]| a != b && b != c && c != a).collect();
+    let is_equal = triangles_of(&links) == canonical_triangles(&expected);
+    assert!(is_equal, "after {collapses:?} of {:?}", &input[..input.len().min(100)]);
+    let mut edges = Vec::new();
+    for w in (0..count as u32).filter(|_| follows) {
+        links.edges_into(w, &mut edges);
+        for e in &edges {
+            let found = canonical_triangles(&[[w, e.a, e.b]]);
+            assert_eq!(found, canonical_triangles(&[triangles[e.triangle as usize]]), "triangle indices");
         }
     }
 }
@@ -107,6 +111,30 @@ fn hexagon_is_one_ring_and_collapses_to_a_fan() {
     assert_eq!(links.kind(0), LinkKind::Closed);
     assert_eq!(links.kind(1), LinkKind::Open);
     check_against_substitution(&fan, 7, &[(0, 1), (3, 4), (5, 1)]);
+}
+
+#[test]
+fn long_rings_equal_substitution() {
+    // A disc around 0 with a band around it; its rim loses positions, and some become those of the band.
+    let n = 4200;
+    let (rim, band) = (|i: u32| 1 + i % n, |i: u32| 1 + n + i % n);
+    for open in [0, 1] {
+        let mut triangles: Vec<[u32; 3]> = (0..n - open).map(|i| [0, rim(i), rim(i + 1)]).collect();
+        for i in 0..n - open {
+            triangles.extend([[rim(i), band(i), rim(i + 1)], [rim(i + 1), band(i), band(i + 1)]]);
+        }
+        let collapses: Vec<(u32, u32)> = (0..60)
+            .map(|i| (i, i * 911 % (n - 5) + 2))
+            .map(|(i, at)| match i % 3 {
+                0 => (rim(at), rim(at + 1)),
+                1 => (rim(at), rim(at - 1)),
+                _ => (rim(at), band(at)),
+            })
+            .collect();
+        for follows in [true, false] {
+            check_at_end(triangles.clone(), 1 + 2 * n as usize, &collapses, follows);
+        }
+    }
 }
 
 #[test]
