@@ -14,7 +14,7 @@ pub struct Source<'a> {
     /// Whether references may lead to folders above `folder` (`../textures/wood.png`). Off by default, because
     /// an untrusted file could otherwise include any file of the machine; readers that get a path set it.
     pub outside_allowed: bool,
-    /// Where the paths of the files that references lead to are collected, once they are opened.
+    /// Collects the paths of the files that references lead to, once they are opened.
     pub followed: Option<&'a Mutex<BTreeSet<PathBuf>>>,
 }
 

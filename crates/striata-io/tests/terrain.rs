@@ -274,7 +274,7 @@ fn voids_are_recognized_and_damage_is_named() {
     assert_eq!(holes(Some(2.0e35)), 8);
 }
 
-/// What may be a height or a void is kept, with a remark.
+/// Numbers that may be a height or a void are kept, with a remark.
 #[test]
 fn usual_voids_are_pointed_out() {
     let folder = TempDir::new().unwrap();

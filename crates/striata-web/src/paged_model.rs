@@ -16,9 +16,9 @@ use crate::vertices::Vertices;
 use crate::view::View;
 use crate::{Failure, coloring, normals};
 
-/// Pages in memory have at most so many vertices, about 250 MB.
+/// Most vertices of the pages in memory, about 250 MB.
 const MAX_CACHED_VERTICES: u64 = 4_000_000;
-/// Tolerances are relaxed until a level has about so many triangles, whatever was asked for.
+/// Most triangles of a level: beyond them, tolerances are relaxed, whatever was asked for.
 const MAX_TRIANGLES: u64 = 4_000_000;
 /// Factor by which they are relaxed at a time.
 const RELAXATION_STEP: f32 = 1.5;

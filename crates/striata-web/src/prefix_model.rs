@@ -35,7 +35,7 @@ pub(crate) struct PrefixModel {
     groups: Vec<u32>,
     group_count: usize,
     color_space: ColorSpace,
-    /// What all levels have, if the later ones are missing.
+    /// Sizes of the whole mesh, if later levels are missing.
     whole: Option<Counts>,
     /// Made for the first view.
     hierarchy: Option<GrowingHierarchy>,

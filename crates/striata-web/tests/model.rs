@@ -407,7 +407,7 @@ fn the_header_locates_the_stream() {
     let mut damaged = bytes[..length].to_vec();
     damaged[70] ^= 1;
     assert_eq!(StreamPlace::find(&damaged).unwrap_err().code(), "corrupt");
-    // The models beside a stream can be read, too.
+    // Models that a file has besides its stream can be read, too.
     assert_eq!(stored(&bytes).triangle_count(), mesh.triangle_count());
 }
 

@@ -89,7 +89,7 @@ test('a damaged page is reported, and the mesh stays coarse there', async () => 
   await until(() => errors.length > 0);
   assert.match(errors[0].message, /page of level 0, cell 0: the checksum does not match/);
   assert.equal(errors[0].code, 'corrupt');
-  // What is not damaged is still refined, and coarser levels too.
+  // Other parts are still refined.
   await until(() => scene.complete);
   const refined = scene.triangleCount;
   assert.ok(refined > 0 && refined < scene.fullTriangleCount, `${refined} triangles`);

@@ -105,7 +105,7 @@ fn levels_stay_coarse_where_a_page_is_damaged() {
     let finest = whole.level_for(&everywhere).unwrap().mesh;
     // A page that others refine, in the middle of the file.
     let is_parent = |page: u32| whole.reader().entries().any(|(_, entry)| entry.parents.contains(&page));
-    let damaged = (1..whole.reader().page_count()).filter(|&page| is_parent(page)).next_back().unwrap();
+    let damaged = (1..whole.reader().page_count()).rfind(|&page| is_parent(page)).unwrap();
     let entry = whole.reader().entry(damaged).unwrap();
     let mut bytes = std::fs::read(&path).unwrap();
     let pages: u64 = whole.reader().entries().map(|(_, entry)| u64::from(entry.byte_count)).sum();

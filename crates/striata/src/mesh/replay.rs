@@ -3,7 +3,10 @@
 //! Every model must show the same oriented triangles as [`replay`] at every split count. This code is
 //! deliberately simple and slow, so that it is easy to see that it is right.
 
-use super::{AttributeLayer, CollapseSequence, IndexedMesh, RefinableMesh, TriangleGroup, gather_layers};
+use super::{
+    AttributeLayer, CollapseSequence, IndexedMesh, PositionIndex, RefinableMesh, SequenceParts,
+    TriangleGroup, gather_layers,
+};
 
 /// Extracts the level of `refinable` after `split_count` vertex splits as a separate mesh.
 ///
@@ -40,6 +43,34 @@ pub fn replay(refinable: &RefinableMesh, split_count: usize) -> IndexedMesh {
         });
     }
     level
+}
+
+impl RefinableMesh {
+    /// The level at `split_count` as a full mesh of its own, with all coarser levels. Errors remain distances
+    /// from the mesh that it was taken from, except that its own counts as 0.
+    ///
+    /// # Panics
+    /// If `split_count` exceeds the step count.
+    pub fn without_levels_above(&self, split_count: usize) -> Self {
+        let sequence = &self.sequence;
+        let position_count = sequence.base_position_count() + split_count;
+        let first_vertices = sequence.positions().first_vertices()[..=position_count].to_vec();
+        let above_base = sequence.vertex_count_at(split_count) - sequence.base_vertex_count();
+        let level = replay(self, split_count);
+        let parts = SequenceParts {
+            positions: match first_vertices[position_count] as usize == position_count {
+                true => PositionIndex::identity(position_count),
+                false => PositionIndex::from_first(first_vertices),
+            },
+            base_position_count: sequence.base_position_count(),
+            targets: sequence.targets()[..above_base].to_vec(),
+            errors: sequence.errors()[..split_count].to_vec(),
+            removed_triangle_counts: sequence.removed_triangle_counts()[..split_count].to_vec(),
+            triangle_count: level.triangle_count(),
+        };
+        let sequence = CollapseSequence::from_parts(parts).expect("the first steps of a sequence are one");
+        Self { mesh: level, sequence }
+    }
 }
 
 /// Data of the triangles that remain at `split_count`, in the order of the full mesh.

@@ -12,7 +12,7 @@
 //! ```
 
 use super::sequence_error::check_length;
-use super::{IndexedMesh, LevelTable, PositionIndex, SequenceError, replay};
+use super::{IndexedMesh, LevelTable, PositionIndex, SequenceError};
 
 /// The arrays of a [`CollapseSequence`], as passed by builders and file readers.
 #[derive(Clone, Debug)]
@@ -233,31 +233,5 @@ impl RefinableMesh {
         };
         self.sequence = CollapseSequence::from_parts(parts).expect("the last steps of a sequence are one");
         self
-    }
-
-    /// The level at `split_count` as a full mesh of its own, with all coarser levels. Errors remain distances
-    /// from the mesh that it was taken from, except that its own counts as 0.
-    ///
-    /// # Panics
-    /// If `split_count` exceeds the step count.
-    pub fn without_levels_above(&self, split_count: usize) -> Self {
-        let sequence = &self.sequence;
-        let position_count = sequence.base_position_count() + split_count;
-        let first_vertices = sequence.positions().first_vertices()[..=position_count].to_vec();
-        let above_base = sequence.vertex_count_at(split_count) - sequence.base_vertex_count();
-        let level = replay(self, split_count);
-        let parts = SequenceParts {
-            positions: match first_vertices[position_count] as usize == position_count {
-                true => PositionIndex::identity(position_count),
-                false => PositionIndex::from_first(first_vertices),
-            },
-            base_position_count: sequence.base_position_count(),
-            targets: sequence.targets()[..above_base].to_vec(),
-            errors: sequence.errors()[..split_count].to_vec(),
-            removed_triangle_counts: sequence.removed_triangle_counts()[..split_count].to_vec(),
-            triangle_count: level.triangle_count(),
-        };
-        let sequence = CollapseSequence::from_parts(parts).expect("the first steps of a sequence are one");
-        Self { mesh: level, sequence }
     }
 }

@@ -2,8 +2,7 @@
 //! a disc, would take quadratic time.
 
 use std::collections::HashMap;
-
-use super::Slab;
+use std::ops::Range;
 
 /// Rings of more entries than this have an order once they have been searched often.
 pub(super) const HUB_ENTRIES: usize = 4096;
@@ -11,7 +10,7 @@ pub(super) const HUB_ENTRIES: usize = 4096;
 /// Number of searches of all entries before an order is made, since it is lost when the ring changes otherwise.
 const SEARCHES: u32 = 32;
 
-/// What is known about long rings.
+/// The long rings that have been searched.
 #[derive(Debug, Default)]
 pub(super) struct Hubs {
     of: HashMap<u32, Hub>,
@@ -105,8 +104,8 @@ impl HubOrder {
 
 /// Removes entry `i` of a slab's part of `values` by moving the shorter side. The caller moves the slab's start
 /// if this returns true.
-pub(super) fn remove_entry(values: &mut [u32], slab: Slab, i: usize) -> bool {
-    let ring = &mut values[slab.start as usize..(slab.start + slab.len) as usize];
+pub(super) fn remove_entry(values: &mut [u32], slab: Range<usize>, i: usize) -> bool {
+    let ring = &mut values[slab];
     let is_head = ring.len() > HUB_ENTRIES && i < ring.len() / 2;
     match is_head {
         true => ring.copy_within(..i, 1),

@@ -262,13 +262,14 @@ impl Links {
             let stays_ring = if is_closed { n > 3 } else { n > 2 };
             if stays_ring && follows != precedes {
                 self.hubs.remove(w, v);
-                let is_head = remove_entry(&mut self.entries, slab, i);
+                let places = slab.start as usize..(slab.start + slab.len) as usize;
+                let is_head = remove_entry(&mut self.entries, places.clone(), i);
                 if self.follows_triangles {
                     // The triangle between v and u vanishes; if u comes first, it gets v's other triangle.
                     if precedes {
                         self.triangles[start + last] = self.triangles[start + i];
                     }
-                    remove_entry(&mut self.triangles, slab, i);
+                    remove_entry(&mut self.triangles, places, i);
                 }
                 let slab = &mut self.slabs[w as usize];
                 slab.len -= 1;
