@@ -10,13 +10,14 @@ use striata::simplify::{
     build_welded_batches_with_progress, build_welded_fragments_with_progress,
     build_welded_placed_fragments_with_progress, build_welded_sequence_with_progress,
     certify_collapses_in_any_state_with_progress, certify_collapses_with_progress, certify_with_progress,
+    flat_folds,
 };
 use striata_io::texcoord_scale;
 use striata_scene::drawn::base_colors_of_mesh;
 
 use crate::args::{CostArg, Length, OrderArg, RetriangulationArg, SequenceArgs};
 use crate::failure::Failure;
-use crate::output::Output;
+use crate::output::{Output, format_noun_count};
 
 /// How a mesh is simplified.
 #[derive(Clone, Debug)]
@@ -375,6 +376,16 @@ impl SequenceArgs {
     pub fn warn_about_groups(&self, mesh: &IndexedMesh, output: &Output) {
         if self.lock_groups && mesh.groups.len() < 2 {
             output.say("warning: --lock-groups has no effect: the mesh has only one group");
+        }
+    }
+
+    /// If errors are to be certified, warns of steps that turn a triangle over within a flat part of the surface:
+    /// errors do not show them.
+    pub fn warn_about_flat_folds(&self, steps: &Steps, output: &Output) {
+        let count = if self.certify { flat_folds(&steps.fragments()) } else { 0 };
+        if count > 0 {
+            let steps = format_noun_count(count, "step turns", "steps turn");
+            output.say(&format!("warning: {steps} a triangle over within a flat part of the surface"));
         }
     }
 

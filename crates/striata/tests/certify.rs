@@ -13,11 +13,24 @@ use striata::mesh::{
 };
 use striata::simplify::{
     CertifiedFaces, SequenceOptions, build_sequence, certify, certify_collapses,
-    certify_collapses_in_any_state, certify_faces, certify_with_progress,
+    certify_collapses_in_any_state, certify_faces, certify_with_progress, flat_folds,
 };
 use support::{
     Case, RandomSequenceOptions, hub_cases, nasty_cases, random_refinable, seam_cases, soups, surface_cases,
 };
+
+#[test]
+fn flat_folds_are_noticed() {
+    let folds_of = |refinable: &RefinableMesh| flat_folds(&FragmentedMesh::from_collapses(refinable));
+    let options = RandomSequenceOptions { far_percent: 0, base_position_count: 1 };
+    let collapsed = |mesh: &IndexedMesh| random_refinable(mesh, options, &mut support::Random::new(5));
+    let plane = shapes::grid(12, 12);
+    assert!(folds_of(&collapsed(&plane)) > 0, "collapses at random fold a plane over");
+    let built = build_sequence(&plane, &SequenceOptions::default()).unwrap().refinable;
+    assert_eq!(folds_of(&built), 0);
+    // A curved surface has no plane to fold over in.
+    assert_eq!(folds_of(&collapsed(&shapes::icosphere(2, 1.0))), 0);
+}
 
 /// Distance of samples of `full` from `state`; 0 if there is nothing to measure.
 fn measured(full: &IndexedMesh, state: &IndexedMesh, sample_count: usize) -> f64 {

@@ -50,6 +50,7 @@ pub(crate) fn run(args: &SimplifyArgs, output: &Output) -> Result<(), Failure> {
     let simplifying = Instant::now();
     let welded = weld(&mesh).map_err(|error| in_file(error.into()))?;
     let made = plan.run(welded, &mut |progress| bar.show(progress)).map_err(|error| in_file(error.into()))?;
+    args.sequence.warn_about_flat_folds(&made.steps, output);
     let is_fitted = placement.moves(&mesh);
     let mut source = SimplifiedMesh {
         mesh: &mesh,

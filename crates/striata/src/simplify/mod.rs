@@ -30,7 +30,7 @@ pub use base_color::{BaseColor, TextureLevels, Wrap};
 pub use certify::{
     CertifiedFaces, certify, certify_collapses, certify_collapses_in_any_state,
     certify_collapses_in_any_state_with_progress, certify_collapses_with_progress, certify_faces,
-    certify_faces_with_progress, certify_with_progress,
+    certify_faces_with_progress, certify_with_progress, flat_folds,
 };
 pub use collapse::batches::{
     BatchOptions, BuiltBatches, build_batches, build_batches_with_progress, build_welded_batches,

@@ -97,6 +97,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
         has_overlap_errors: args.overlap_errors,
     };
     let built = build(&mesh, &plan, &mut phases, &mut bar).map_err(|failure| failure.in_file(&input.name))?;
+    args.sequence.warn_about_flat_folds(&built.steps, output);
     let shortfall = base.and_then(|base| built.shortfall(base, &args.sequence));
     check_strict(args.limits.strict, None, shortfall.as_deref())?;
     phases.enter("write");

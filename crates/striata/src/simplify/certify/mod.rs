@@ -33,6 +33,7 @@
 
 mod assign;
 mod certified_errors;
+mod flat_folds;
 mod floor;
 mod pieces;
 mod polygon;
@@ -43,6 +44,7 @@ pub use certified_errors::{
     certify_collapses_in_any_state_with_progress, certify_collapses_with_progress, certify_faces,
     certify_faces_with_progress, certify_with_progress,
 };
+pub use flat_folds::flat_folds;
 
 use glam::DVec3;
 

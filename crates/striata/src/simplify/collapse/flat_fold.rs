@@ -73,6 +73,16 @@ pub(in crate::simplify) fn turns_over(
     if own < 0.0 { opposing > 0.0 || agreeing == 0.0 } else { own == 0.0 && opposing > agreeing }
 }
 
+/// Whether triangles that lie in one plane and face the same way become others of which one faces the other way.
+pub(in crate::simplify) fn folds_over(before: &[TriangleNormal], after: &[TriangleNormal]) -> bool {
+    let largest = |a: &&TriangleNormal, b: &&TriangleNormal| {
+        a.normal.length_squared().total_cmp(&b.normal.length_squared())
+    };
+    let Some(&TriangleNormal { normal: plane, .. }) = before.iter().max_by(largest) else { return false };
+    before.iter().all(|triangle| triangle.is_noise() || triangle.area_in(plane) > 0.0)
+        && after.iter().any(|triangle| triangle.area_in(plane) < 0.0)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
