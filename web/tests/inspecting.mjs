@@ -55,9 +55,10 @@ export default function inspecting(world) {
     await page.keyboard.down('Shift');
     await page.mouse.click(x, y);
     await page.keyboard.up('Shift');
-    await page.locator('#picked').waitFor();
+    // The worker answers with the step.
+    await page.locator('#picked', { hasText: 'Error without it' }).waitFor();
     const found = await facts(page);
-    assert.deepEqual(Object.keys(found), ['Mesh', 'Material', 'Triangle', 'Nearest vertex', 'Vertex at', 'Point at']);
+    assert.deepEqual(Object.keys(found), ['Mesh', 'Material', 'Triangle', 'Nearest vertex', 'Vertex at', 'Point at', 'Step', 'Error without it']);
     const number = (text) => Number(text.replaceAll(',', '').match(/\d+/)[0]);
     const check = await page.evaluate(({ triangle, vertex }) => {
       let mesh;
