@@ -27,7 +27,7 @@ export type PagedOrder = OpenPaged | Order;
 const MAX_REQUESTS = 6;
 
 /** Tolerances of the levels that are shown while pages are missing, as factors of the one that was asked for. */
-const FACTORS = [64, 16, 4, 1];
+const FACTORS = [64, 16, 4, 2, 1];
 
 /** Most triangles of a level that is chosen by its detail. */
 const MAX_TRIANGLES = 4_000_000;
