@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use super::additions::set_offset;
 use super::compact::compact;
 use super::parts::{GltfParts, array_length, entries, entries_mut, index_at};
+use crate::gltf::builder::ELEMENT_ARRAY_BUFFER;
 use crate::gltf::extensions::are_all_known;
 
 /// Number of views of one kind from which on they are joined.
@@ -24,12 +25,14 @@ pub(super) fn gather(parts: &mut GltfParts) {
     let mut alike: BTreeMap<ViewKey, Vec<usize>> = BTreeMap::new();
     for (number, view) in entries(&parts.root, "bufferViews").iter().enumerate() {
         let is_plain = view.get("extensions").is_none() && index_at(view, "buffer") == Some(0);
-        if let Some(target) = view.get("target").and_then(Value::as_u64).filter(|_| is_plain) {
-            let key = (target, index_at(view, "byteStride"), types.get(&number).copied());
-            alike.entry(key).or_default().push(number);
+        let Some(target) = view.get("target").and_then(Value::as_u64).filter(|_| is_plain) else { continue };
+        let stride = index_at(view, "byteStride");
+        // Accessors of vertices may share a view only if it has a stride.
+        if stride.is_some() || target == u64::from(ELEMENT_ARRAY_BUFFER) {
+            alike.entry((target, stride, types.get(&number).copied())).or_default().push(number);
         }
     }
-    // The new view of each joined one, and where it begins there.
+    // For each joined view, the view that contains it now, and the offset there.
     let mut moved: BTreeMap<usize, [usize; 2]> = BTreeMap::new();
     for views in alike.into_values().filter(|views| views.len() >= MANY) {
         join(parts, &views, &mut moved);
@@ -55,7 +58,7 @@ fn index_types(root: &Value) -> BTreeMap<usize, usize> {
     entries(root, "accessors").iter().filter_map(place).collect()
 }
 
-/// Appends the bytes of views to the binary, where the first of them is from then on.
+/// Appends the bytes of views to the binary as one view, which replaces the first of them.
 fn join(parts: &mut GltfParts, views: &[usize], moved: &mut BTreeMap<usize, [usize; 2]>) {
     let mut joined: Vec<u8> = Vec::new();
     for &number in views {

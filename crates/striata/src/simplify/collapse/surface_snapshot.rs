@@ -3,8 +3,8 @@
 //! The error of a vanished part is its distance from whatever part replaces it. To find that, the
 //! triangles of all parts are put into a tree. Collapses do not update the tree; it is rebuilt once
 //! half of its triangles are gone, so all builds together cost about two of the first. Between builds,
-//! queries return triangles that may have changed since; the parts that they belong to still exist, and
-//! those are what the caller needs. The tree is split where it is searched; many are never searched.
+//! queries return triangles that may have changed since; the caller only needs the parts that they belong
+//! to, which still exist. A node of the tree is split when a query reaches it first.
 
 use std::cell::RefCell;
 
