@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use serde_json::Value;
 use striata::mesh::{Appearance, IndexedMesh, Semantic, TriangleGroup};
 use striata_io::Scene;
-use striata_scene::drawn::{ImageLimits, Light, Material, decode_images, materials};
+use striata_scene::drawn::{AlphaMode, ImageLimits, Light, Material, decode_images, materials};
 use striata_scene::textures::RgbaImage;
 
 use crate::cpu::Texture;
@@ -66,6 +66,11 @@ impl SceneLook {
             textures: OnceLock::new(),
             warnings: Vec::new(),
         }
+    }
+
+    /// Whether something shines through a material.
+    pub fn is_transparent(&self) -> bool {
+        self.materials.iter().any(|material| material.alpha_mode == AlphaMode::Blend)
     }
 
     /// Number that no other look has.

@@ -338,20 +338,24 @@ impl IndexedMesh {
     /// and groups may become empty. `is_left_out` has an entry for each vertex.
     pub fn without_vertices(&self, is_left_out: &[bool]) -> Self {
         let is_kept = |t: &[u32; 3]| t.iter().all(|&v| !is_left_out[v as usize]);
-        let (mut groups, mut next) = (self.groups.clone(), 0);
-        for group in &mut groups {
-            group.count = self.triangles[group.range()].iter().filter(|t| is_kept(t)).count() as u32;
-            group.first = next;
-            next += group.count;
-        }
         let (mut order, mut new_index) = (Vec::new(), vec![u32::MAX; self.positions.len()]);
         for (vertex, _) in is_left_out.iter().enumerate().filter(|(_, is_left_out)| !**is_left_out) {
             new_index[vertex] = order.len() as u32;
             order.push(vertex as u32);
         }
-        let kept = (0..self.triangles.len() as u32).filter(|&t| is_kept(&self.triangles[t as usize]));
-        let kept: Vec<u32> = kept.collect();
-        Self { groups, ..self.with_triangle_order(&kept) }.gather(&order, &new_index)
+        self.with_triangles(|t| is_kept(&self.triangles[t])).gather(&order, &new_index)
+    }
+
+    /// A copy of the mesh with some of its triangles and all vertices.
+    pub(super) fn with_triangles(&self, is_kept: impl Fn(usize) -> bool) -> Self {
+        let (mut groups, mut next) = (self.groups.clone(), 0);
+        for group in &mut groups {
+            group.count = group.range().filter(|&t| is_kept(t)).count() as u32;
+            group.first = next;
+            next += group.count;
+        }
+        let kept: Vec<u32> = (0..self.triangles.len() as u32).filter(|&t| is_kept(t as usize)).collect();
+        Self { groups, ..self.with_triangle_order(&kept) }
     }
 
     /// A copy of the mesh whose triangle `i` is triangle `order[i]` of this mesh, with its data. Groups stay as they

@@ -6,6 +6,9 @@
 //!
 //! Cost: O(n) expected time, about 150 bytes per triangle while counting.
 
+use std::borrow::Cow;
+use std::collections::HashSet;
+
 use glam::DVec3;
 
 use super::disjoint_sets::DisjointSets;
@@ -197,6 +200,31 @@ pub(super) fn duplicate_triangles(triangles: &[[u32; 3]]) -> Vec<Duplicate> {
     duplicates
 }
 
+/// Leaves out the triangles with the positions, the direction and the group of an earlier one, which a picture of an
+/// opaque surface does not show. O(n log n).
+///
+/// # Panics
+/// If the mesh is inconsistent.
+pub fn without_copies(mesh: &IndexedMesh) -> Cow<'_, IndexedMesh> {
+    let position_of = index_positions(&mesh.positions);
+    let groups = mesh.groups_or_whole();
+    let mut is_copy = vec![false; mesh.triangles.len()];
+    for group in &groups {
+        let triangles: Vec<[u32; 3]> =
+            mesh.triangles[group.range()].iter().map(|t| t.map(|v| position_of[v as usize])).collect();
+        // The first one of each direction stays.
+        let mut opposite_of = HashSet::new();
+        for copy in duplicate_triangles(&triangles) {
+            is_copy[group.first as usize + copy.triangle as usize] =
+                !copy.is_opposite || !opposite_of.insert(copy.first);
+        }
+    }
+    match is_copy.contains(&true) {
+        true => Cow::Owned(mesh.with_triangles(|t| !is_copy[t])),
+        false => Cow::Borrowed(mesh),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -250,5 +278,22 @@ mod tests {
         let tie = of(&shapes::bow_tie());
         assert_eq!((tie.non_manifold_vertex_count, tie.component_count, tie.genus), (1, 1, None));
         assert_eq!(of(&shapes::many_components(7)).component_count, 7);
+    }
+
+    #[test]
+    fn copies_are_left_out_of_pictures() {
+        let corners = vec![[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [1., 0., 0.]];
+        let triangles = vec![[0, 1, 2], [3, 2, 0], [2, 1, 0], [1, 0, 2], [2, 0, 3]];
+        let mut mesh = IndexedMesh::new(corners, triangles);
+        assert_eq!(without_copies(&mesh).triangles, [[0, 1, 2], [2, 1, 0]]);
+        let group =
+            |first, count| crate::mesh::TriangleGroup { name: String::new(), material: None, first, count };
+        mesh.groups = vec![group(0, 1), group(1, 0), group(1, 4)];
+        let left = without_copies(&mesh);
+        assert_eq!(left.triangles, [[0, 1, 2], [3, 2, 0], [2, 1, 0]]);
+        assert_eq!(left.groups.iter().map(|g| g.count).collect::<Vec<_>>(), [1, 0, 2]);
+        mesh.triangles.truncate(1);
+        mesh.groups.clear();
+        assert!(matches!(without_copies(&mesh), Cow::Borrowed(_)));
     }
 }

@@ -30,6 +30,9 @@ const STRETCHED: f64 = 1e3;
 /// Largest extent of a mesh in the frame, so that squares are finite in f32.
 const MAX_EXTENT: f64 = 1e12;
 
+/// Number of triangles that each search of a [`TriangleSearch`] adds to the limit of all.
+const VISITS: usize = 1 << 7;
+
 /// Number of triangles that are examined to find out where most of them are.
 const SAMPLES: usize = 1 << 10;
 
@@ -61,6 +64,24 @@ pub struct TriangleTree {
     scale: f64,
     /// Whether the mesh spans more than -1..1 in the frame.
     is_stretched: bool,
+}
+
+/// A series of searches, each of which begins where another one ended, that compares a limited number of triangles.
+///
+/// A point near an edge of very many thin triangles lies in the boxes of most of them, so that searches for all
+/// points of them would take quadratic time. In an ordinary mesh, the limit is never reached.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct TriangleSearch {
+    /// The triangle at which the next search begins and that the last one found; `usize::MAX` for any.
+    pub triangle: usize,
+    /// Number of triangles that may still be compared.
+    left: usize,
+}
+
+impl TriangleSearch {
+    pub(crate) fn new() -> Self {
+        Self { triangle: usize::MAX, left: 1 << 20 }
+    }
 }
 
 impl TriangleTree {
@@ -119,6 +140,31 @@ impl TriangleTree {
         self.corners[triangle]
     }
 
+    /// Distance between a finite point and the nearest triangle that `search` finds within its limit, mesh units.
+    pub(crate) fn searched_distance(&self, point: [f64; 3], search: &mut TriangleSearch) -> f64 {
+        search.left += VISITS;
+        let TriangleSearch { triangle, left } = search;
+        self.distance_while(point, 0.0, triangle, || {
+            *left -= usize::from(*left > 0);
+            *left > 0
+        })
+    }
+
+    /// Visits triangles like [`Self::visit_within`], as many as the limit of `search` allows.
+    pub(crate) fn visit_searched(
+        &self,
+        point: [f64; 3],
+        reach: f64,
+        search: &mut TriangleSearch,
+        mut visit: impl FnMut(usize, f64) -> f64,
+    ) {
+        search.left += VISITS;
+        self.visit_while(point, reach, |candidate, distance| {
+            search.left -= usize::from(search.left > 0);
+            Some(visit(candidate, distance)).filter(|_| search.left > 0)
+        });
+    }
+
     /// Distance between a point and the surface, in mesh units; infinite if there are no triangles.
     pub fn distance_to(&self, point: [f64; 3]) -> f64 {
         self.nearest(point).map_or(f64::INFINITY, |nearest| nearest.distance)
@@ -143,6 +189,17 @@ impl TriangleTree {
     /// Distance like [`Self::distance_from_hint`], but stops at any triangle that is no farther than
     /// `enough`.
     pub fn distance_within(&self, point: [f64; 3], enough: f64, triangle: &mut usize) -> f64 {
+        self.distance_while(point, enough, triangle, || true)
+    }
+
+    /// Distance like [`Self::distance_within`] that compares triangles while `goes_on` allows.
+    fn distance_while(
+        &self,
+        point: [f64; 3],
+        enough: f64,
+        triangle: &mut usize,
+        mut goes_on: impl FnMut() -> bool,
+    ) -> f64 {
         let point = DVec3::from_array(point);
         let in_frame = (point - self.center) * self.scale;
         let is_far = in_frame.abs().max_element() > FAR;
@@ -167,7 +224,7 @@ impl TriangleTree {
                 if other < squared {
                     (squared, *triangle) = (other, candidate);
                 }
-                if squared <= enough { 0.0 } else { (squared * squared_scale) as f32 }
+                if squared <= enough || !goes_on() { 0.0 } else { (squared * squared_scale) as f32 }
             });
         }
         squared.sqrt()
@@ -188,20 +245,24 @@ impl TriangleTree {
     /// `visit` returns the reach for the rest of the search, which may shrink. A few triangles beyond the
     /// reach are visited as well.
     pub fn visit_within(&self, point: [f64; 3], reach: f64, mut visit: impl FnMut(usize, f64) -> f64) {
+        self.visit_while(point, reach, |candidate, distance| Some(visit(candidate, distance)));
+    }
+
+    /// Visits triangles like [`Self::visit_within`] until `visit` returns `None`.
+    fn visit_while(&self, point: [f64; 3], reach: f64, mut visit: impl FnMut(usize, f64) -> Option<f64>) {
         let point = DVec3::from_array(point);
         let in_frame = (point - self.center) * self.scale;
         let distance_to =
             |candidate: usize| squared_distance_to_triangle(point, &self.corners[candidate]).sqrt();
         if in_frame.abs().max_element() > FAR {
-            for candidate in 0..self.corners.len() {
-                visit(candidate, distance_to(candidate));
-            }
+            (0..self.corners.len())
+                .try_for_each(|candidate| visit(candidate, distance_to(candidate)).map(drop));
             return;
         }
         // A reach of 0 must not skip the boxes that contain the point.
         let limit = |reach: f64| (((reach * self.scale).powi(2) * COST_MARGIN) as f32).max(f32::MIN_POSITIVE);
         self.boxes.visit_near(in_frame.as_vec3a(), limit(reach), |candidate| {
-            limit(visit(candidate, distance_to(candidate)))
+            visit(candidate, distance_to(candidate)).map_or(0.0, limit)
         });
     }
 

@@ -1,14 +1,17 @@
 //! The layout of a picture in panels, and drawing them.
 
+use std::borrow::Cow;
+
 use super::figure::Figure;
 use super::source::PictureSource;
 use super::viewpoint::Viewpoint;
 use crate::args::RenderArgs;
+use striata::mesh::without_copies;
 use striata_command::args::Coloring;
 use striata_command::failure::Failure;
 use striata_command::output::format_noun_count;
 use striata_render::{
-    Camera, Canvas, ColorBar, DistanceMap, Paint, Panel, Sheet, Shot, Style, Theme, significant,
+    Camera, Canvas, ColorBar, DistanceMap, Paint, Panel, SceneLook, Sheet, Shot, Style, Theme, significant,
     with_all_normals,
 };
 use striata_viewer::PictureRenderer;
@@ -109,10 +112,15 @@ impl<'a> Layout<'a> {
         }
         let painted = figure.painted(coloring)?;
         let is_lit = coloring == Coloring::Surface && !self.args.wireframe;
-        match self.source.look().filter(|_| is_lit) {
+        let look = self.source.look().filter(|_| is_lit);
+        let mesh = match is_lit && figure.strips.is_none() && !look.is_some_and(SceneLook::is_transparent) {
+            true => without_copies(&figure.mesh),
+            false => Cow::Borrowed(&figure.mesh),
+        };
+        match look {
             // Materials show vertices without normals flat, as glTF prescribes.
-            Some(look) => Ok(draw(painted.shot(&figure.mesh, Some(look), style), artist)),
-            None => Ok(draw(painted.shot(&with_all_normals(&figure.mesh), None, style), artist)),
+            Some(look) => Ok(draw(painted.shot(&mesh, Some(look), style), artist)),
+            None => Ok(draw(painted.shot(&with_all_normals(&mesh), None, style), artist)),
         }
     }
 

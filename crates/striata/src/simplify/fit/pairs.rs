@@ -9,7 +9,8 @@ use glam::DVec3;
 
 use super::surface::{FitPoint, FitSurface, share_along};
 use crate::mesh::{
-    Adjacency, AttributeLayer, Edge, IndexedMesh, MeshError, Semantic, TriangleTree, index_positions,
+    Adjacency, AttributeLayer, Edge, IndexedMesh, MeshError, Semantic, TriangleSearch, TriangleTree,
+    index_positions,
 };
 
 /// Samples of the original for each triangle of the level.
@@ -101,9 +102,14 @@ impl PairedSample {
     }
 
     /// Finds the partner on the other surface.
-    fn partner(&mut self, own: &FitSurface, other: &FitSurface, near: &mut usize) -> Option<FitPoint> {
+    fn partner(
+        &mut self,
+        own: &FitSurface,
+        other: &FitSurface,
+        search: &mut TriangleSearch,
+    ) -> Option<FitPoint> {
         let normal = own.normals[self.point.triangle as usize];
-        let found = other.nearest(own.at(self.point), normal, near, self.last);
+        let found = other.nearest(own.at(self.point), normal, search, self.last);
         self.last = found.map(|point| point.triangle);
         found
     }
@@ -166,19 +172,20 @@ impl Pairing {
         // Searches begin where those of neighbors ended, whatever the order of the triangles.
         let mut near_vertices = vec![u32::MAX; self.original.vertex_count];
         let mut near_triangles = vec![u32::MAX; level.triangle_count()];
+        let mut search = TriangleSearch::new();
         for sample in &mut self.of_original {
             let corners = self.original.triangles[sample.point.triangle as usize];
             let known = corners.iter().map(|&v| near_vertices[v as usize]).find(|&near| near != u32::MAX);
-            let mut near = known.map_or(usize::MAX, |near| near as usize);
-            let Some(found) = sample.partner(&self.original, surface, &mut near) else { continue };
+            search.triangle = known.map_or(usize::MAX, |near| near as usize);
+            let Some(found) = sample.partner(&self.original, surface, &mut search) else { continue };
             corners.iter().for_each(|&v| near_vertices[v as usize] = found.triangle);
             near_triangles[found.triangle as usize] = sample.point.triangle;
             let target = self.original.at(sample.point);
             of_surfaces.push(Pair { level: found, original: sample.point, target, area: sample.area });
         }
         for sample in &mut self.of_level {
-            let mut near = near_triangles[sample.point.triangle as usize] as usize;
-            let Some(found) = sample.partner(surface, &self.original, &mut near) else { continue };
+            search.triangle = near_triangles[sample.point.triangle as usize] as usize;
+            let Some(found) = sample.partner(surface, &self.original, &mut search) else { continue };
             near_triangles[sample.point.triangle as usize] = found.triangle;
             let area = surface.normals[sample.point.triangle as usize].length() / (2 * POINTS.len()) as f64;
             let target = self.original.at(found);
@@ -276,14 +283,14 @@ impl Borders {
     }
 
     /// The edge nearest to a point of an edge that leads the same way: the triangles of both lie on the same side.
-    fn nearest(&self, point: DVec3, edge: &OpenEdge, near: &mut usize) -> Option<&OpenEdge> {
+    fn nearest(&self, point: DVec3, edge: &OpenEdge, search: &mut TriangleSearch) -> Option<&OpenEdge> {
         let point = point.to_array();
-        let distance = self.tree.distance_from_hint(point, near);
-        let mut found = self.edges.get(*near)?;
+        let distance = self.tree.searched_distance(point, search);
+        let mut found = self.edges.get(search.triangle)?;
         if !found.is_parallel(edge) {
             // The other side of a seam is as near.
             let mut least = SAME_PLACE * distance;
-            self.tree.visit_within(point, least, |candidate, away| {
+            self.tree.visit_searched(point, least, search, |candidate, away| {
                 if away <= least && self.edges[candidate].is_parallel(edge) {
                     (found, least) = (&self.edges[candidate], away);
                 }
@@ -306,18 +313,18 @@ impl Borders {
                 pairs.push(BorderPair { pair, along: edge.side().normalize_or_zero() });
             }
         };
-        let mut near = usize::MAX;
+        let mut search = TriangleSearch::new();
         for own in &self.edges {
             let middle = 0.5 * (own.ends[0] + own.ends[1]);
-            let Some(edge) = level.nearest(middle, own, &mut near) else { continue };
+            let Some(edge) = level.nearest(middle, own, &mut search) else { continue };
             let share = share_along(middle, edge.ends[0], edge.ends[1]);
             add((edge, share), (own, 0.5), own.side().length());
         }
-        near = usize::MAX;
+        search.triangle = usize::MAX;
         for edge in &level.edges {
             for share in EDGE_POINTS {
                 let point = edge.ends[0].lerp(edge.ends[1], share);
-                let Some(own) = self.nearest(point, edge, &mut near) else { continue };
+                let Some(own) = self.nearest(point, edge, &mut search) else { continue };
                 let along = share_along(point, own.ends[0], own.ends[1]);
                 add((edge, share), (own, along), 0.5 * edge.side().length());
             }

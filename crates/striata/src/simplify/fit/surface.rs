@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::mesh::{IndexedMesh, MeshError, TriangleTree};
+use crate::mesh::{IndexedMesh, MeshError, TriangleSearch, TriangleTree};
 
 /// Cosine between the normals of two triangles above which they face the same side.
 const SAME_SIDE: f64 = 0.2;
@@ -65,7 +65,7 @@ impl FitSurface {
         &self,
         point: DVec3,
         normal: DVec3,
-        near: &mut usize,
+        search: &mut TriangleSearch,
         last: Option<u32>,
     ) -> Option<FitPoint> {
         let on = |triangle: usize| FitPoint {
@@ -78,18 +78,18 @@ impl FitSurface {
             if found.shares.iter().all(|&share| share > 0.0) {
                 return Some(found);
             }
-            *near = last as usize;
+            search.triangle = last as usize;
         }
         let faces_side = |triangle: usize| {
             let other = self.normals[triangle];
             normal.dot(other) > SAME_SIDE * (normal.length_squared() * other.length_squared()).sqrt()
         };
-        let distance = self.tree.distance_from_hint(point.to_array(), near);
-        let mut found = *near;
+        let distance = self.tree.searched_distance(point.to_array(), search);
+        let mut found = search.triangle;
         if found < self.corners.len() && !faces_side(found) {
             let mut least = REACH * distance + self.reach;
             found = usize::MAX;
-            self.tree.visit_within(point.to_array(), least, |candidate, away| {
+            self.tree.visit_searched(point.to_array(), least, search, |candidate, away| {
                 if away < least && faces_side(candidate) {
                     (found, least) = (candidate, away);
                 }
@@ -171,12 +171,14 @@ mod tests {
         let sheet = IndexedMesh::new(positions, vec![[0, 1, 2], [3, 5, 4]]);
         let surface = FitSurface::new(&sheet).expect("a valid mesh");
         for (normal, expected) in [(DVec3::Z, 0), (DVec3::NEG_Z, 1)] {
-            let mut near = usize::MAX;
-            let found = surface.nearest(DVec3::new(0.2, 0.2, 0.001), normal, &mut near, None);
+            let mut search = TriangleSearch::new();
+            let found = surface.nearest(DVec3::new(0.2, 0.2, 0.001), normal, &mut search, None);
             assert_eq!(found.map(|point| point.triangle), Some(expected));
         }
         assert!(
-            surface.nearest(DVec3::new(0.2, 0.2, 0.001), DVec3::X, &mut usize::MAX.clone(), None).is_none()
+            surface
+                .nearest(DVec3::new(0.2, 0.2, 0.001), DVec3::X, &mut TriangleSearch::new(), None)
+                .is_none()
         );
     }
 }

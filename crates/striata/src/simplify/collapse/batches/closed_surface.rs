@@ -38,15 +38,18 @@ pub(super) fn allows(legality: &mut Legality, links: &Links, v: u32, u: u32) -> 
 
 /// Whether exactly two triangles of opposite winding meet at the edge between `u` and `w`.
 fn is_inner_edge(links: &Links, u: u32, w: u32) -> bool {
+    // Either end has the triangles of the edge; one of them may be the middle of a disc.
+    let (u, w) = if links.triangle_count(w) < links.triangle_count(u) { (w, u) } else { (u, w) };
     let entries = links.entries(u);
     match links.kind(u) {
         LinkKind::Empty => false,
         LinkKind::Closed => entries.contains(&w),
         LinkKind::Open => entries[1..entries.len() - 1].contains(&w),
-        LinkKind::Edges => {
-            let count = |side: usize| entries.iter().skip(side).step_by(2).filter(|x| **x == w).count();
-            count(0) == 1 && count(1) == 1
-        }
+        LinkKind::Edges => [0, 1].into_iter().all(|side| {
+            // There may be very many, so none is counted after the second one.
+            let mut found = entries.iter().skip(side).step_by(2).filter(|x| **x == w);
+            found.next().is_some() && found.next().is_none()
+        }),
     }
 }
 

@@ -1,8 +1,10 @@
-//! Finds entries of very long rings. A search of all entries after each collapse at a hub, such as the middle of
-//! a disc, would take quadratic time.
+//! Finds entries of very long rings and lists of edges. A search of all entries after each collapse at a hub, such
+//! as the middle of a disc or an end of an edge with very many triangles, would take quadratic time.
 
 use std::collections::HashMap;
 use std::ops::Range;
+
+use super::edge::LinkEdge;
 
 /// Rings of more entries than this have an order once they have been searched often.
 pub(super) const HUB_ENTRIES: usize = 4096;
@@ -10,7 +12,7 @@ pub(super) const HUB_ENTRIES: usize = 4096;
 /// Number of searches of all entries before an order is made, since it is lost when the ring changes otherwise.
 const SEARCHES: u32 = 32;
 
-/// The long rings that have been searched.
+/// The long rings and lists that have been searched.
 #[derive(Debug, Default)]
 pub(super) struct Hubs {
     of: HashMap<u32, Hub>,
@@ -21,6 +23,128 @@ enum Hub {
     /// Number of searches so far.
     Searched(u32),
     Ordered(HubOrder),
+    Listed(HubPlaces),
+}
+
+/// Ends of the chains in [`HubPlaces`].
+const NONE: u32 = u32::MAX;
+
+/// Places of the neighbors in a list of edges. The places of each neighbor form a chain in both directions.
+#[derive(Debug, Default)]
+struct HubPlaces {
+    first_of: HashMap<u32, u32>,
+    next: Vec<u32>,
+    previous: Vec<u32>,
+}
+
+/// A list of edges that is edited in place. The last edge takes the place of one that is removed.
+pub(super) struct HubList<'a> {
+    places: &'a mut HubPlaces,
+    /// Two entries of each edge, and room for more.
+    entries: &'a mut [u32],
+    /// Triangle of each entry, or empty.
+    triangles: &'a mut [u32],
+    len: &'a mut u32,
+}
+
+impl HubPlaces {
+    fn of(entries: &[u32]) -> Self {
+        let mut places = Self::default();
+        entries.iter().zip(0..).for_each(|(&p, place)| places.add(place, p));
+        places
+    }
+
+    /// Notes that `place`, which is new or unused, holds `p`.
+    fn add(&mut self, place: u32, p: u32) {
+        let at = place as usize;
+        if at >= self.next.len() {
+            self.next.resize(at + 1, NONE);
+            self.previous.resize(at + 1, NONE);
+        }
+        let next = self.first_of.insert(p, place).unwrap_or(NONE);
+        (self.next[at], self.previous[at]) = (next, NONE);
+        if next != NONE {
+            self.previous[next as usize] = place;
+        }
+    }
+
+    /// Notes that `place` does not hold `p` any more.
+    fn take(&mut self, place: u32, p: u32) {
+        let (next, previous) = (self.next[place as usize], self.previous[place as usize]);
+        if next != NONE {
+            self.previous[next as usize] = previous;
+        }
+        match (previous, next) {
+            (NONE, NONE) => drop(self.first_of.remove(&p)),
+            (NONE, next) => drop(self.first_of.insert(p, next)),
+            (previous, next) => self.next[previous as usize] = next,
+        }
+    }
+}
+
+impl HubList<'_> {
+    /// Number of entries, two for each edge.
+    pub(super) fn len(&self) -> usize {
+        *self.len as usize
+    }
+
+    /// Number of edges at `p`.
+    pub(super) fn edges_at(&self, p: u32) -> usize {
+        let first = self.places.first_of.get(&p).copied();
+        std::iter::successors(first, |&place| {
+            Some(self.places.next[place as usize]).filter(|&next| next != NONE)
+        })
+        .count()
+    }
+
+    pub(super) fn remove_all(&mut self, p: u32) {
+        while let Some(&place) = self.places.first_of.get(&p) {
+            self.remove(place & !1);
+        }
+    }
+
+    /// Replaces `v` by `u`, and drops the edges that contained both.
+    pub(super) fn rename(&mut self, v: u32, u: u32) {
+        while let Some(&place) = self.places.first_of.get(&v) {
+            if self.entries[place as usize ^ 1] == u {
+                self.remove(place & !1);
+            } else {
+                self.places.take(place, v);
+                self.places.add(place, u);
+                self.entries[place as usize] = u;
+            }
+        }
+    }
+
+    /// Appends an edge; there must be room.
+    pub(super) fn push(&mut self, edge: LinkEdge) {
+        for p in [edge.a, edge.b] {
+            self.places.add(*self.len, p);
+            self.entries[*self.len as usize] = p;
+            if let Some(triangle) = self.triangles.get_mut(*self.len as usize) {
+                *triangle = edge.triangle;
+            }
+            *self.len += 1;
+        }
+    }
+
+    /// Removes the edge whose entries begin at `place`.
+    fn remove(&mut self, place: u32) {
+        let last = *self.len - 2;
+        for k in 0..2 {
+            self.places.take(place + k, self.entries[(place + k) as usize]);
+            if last != place {
+                let moved = self.entries[(last + k) as usize];
+                self.places.take(last + k, moved);
+                self.places.add(place + k, moved);
+                self.entries[(place + k) as usize] = moved;
+            }
+        }
+        if !self.triangles.is_empty() {
+            self.triangles.copy_within(last as usize..last as usize + 2, place as usize);
+        }
+        *self.len = last;
+    }
 }
 
 /// Places of the neighbors in a ring from which some have been removed since.
@@ -33,6 +157,22 @@ struct HubOrder {
 }
 
 impl Hubs {
+    /// The list of edges of `w`, whose first `len` entries are in use.
+    pub(super) fn list<'a>(
+        &'a mut self,
+        w: u32,
+        entries: &'a mut [u32],
+        triangles: &'a mut [u32],
+        len: &'a mut u32,
+    ) -> HubList<'a> {
+        let hub = self.of.entry(w).or_insert(Hub::Searched(0));
+        if !matches!(hub, Hub::Listed(_)) {
+            *hub = Hub::Listed(HubPlaces::of(&entries[..*len as usize]));
+        }
+        let Hub::Listed(places) = hub else { unreachable!("the hub has just become a list") };
+        HubList { places, entries, triangles, len }
+    }
+
     /// Index of `p` in the ring of `w`.
     pub(super) fn find(&mut self, w: u32, ring: &[u32], p: u32) -> Option<usize> {
         let hub = self.of.entry(w).or_insert(Hub::Searched(0));
@@ -41,8 +181,8 @@ impl Hubs {
                 *count += 1;
                 return super::substitution::find(ring, p);
             }
-            Hub::Searched(_) => *hub = Hub::Ordered(HubOrder::of(ring)),
             Hub::Ordered(_) => {}
+            _ => *hub = Hub::Ordered(HubOrder::of(ring)),
         }
         let Hub::Ordered(order) = hub else { return None };
         order.index(p)

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::edge::{LinkEdge, LinkKind};
-use super::hubs::{HUB_ENTRIES, remove_entry};
+use super::hubs::{HUB_ENTRIES, HubList, remove_entry};
 use super::{Links, Slab};
 
 /// Lists of more edges than this stay lists.
@@ -19,13 +19,13 @@ impl Links {
             self.merge(v, u);
         }
         // `ring` now contains the neighbors of v, each at least once.
-        let ring = std::mem::take(&mut self.ring);
-        for (i, &w) in ring.iter().enumerate() {
+        let mut ring = std::mem::take(&mut self.ring);
+        if self.slabs[v as usize].kind == LinkKind::Edges {
             // Rings name each neighbor once; only edge lists repeat them.
-            if w != u && (self.slabs[v as usize].kind != LinkKind::Edges || !ring[..i].contains(&w)) {
-                self.substitute(w, v, u);
-            }
+            ring.sort_unstable();
+            ring.dedup();
         }
+        ring.iter().filter(|&&w| w != u).for_each(|&w| self.substitute(w, v, u));
         self.ring = ring;
         self.hubs.forget(v);
         let slab = &mut self.slabs[v as usize];
@@ -196,45 +196,28 @@ impl Links {
         kind == LinkKind::Edges && len as usize > 2 * MAX_ORDERED_EDGES
     }
 
-    /// Replaces or drops every edge in the list of `w`.
-    fn edit_hub(&mut self, w: u32, edit: impl Fn([u32; 2]) -> Option<[u32; 2]>) {
-        let Slab { start, len, .. } = self.slabs[w as usize];
-        let (start, end) = (start as usize, (start + len) as usize);
-        let mut kept = start;
-        for i in (start..end).step_by(2) {
-            if let Some([a, b]) = edit([self.entries[i], self.entries[i + 1]]) {
-                (self.entries[kept], self.entries[kept + 1]) = (a, b);
-                if self.follows_triangles {
-                    self.triangles.copy_within(i..i + 2, kept);
-                }
-                kept += 2;
-            }
-        }
-        self.slabs[w as usize].len = (kept - start) as u32;
+    /// The long list of edges of `w`, with the places of each of its neighbors.
+    fn hub_list(&mut self, w: u32) -> HubList<'_> {
+        let slab = &mut self.slabs[w as usize];
+        let entries = &mut self.entries[slab.start as usize..][..slab.capacity as usize];
+        let triangles = match self.follows_triangles {
+            true => &mut self.triangles[slab.start as usize..][..slab.capacity as usize],
+            false => &mut [],
+        };
+        self.hubs.list(w, entries, triangles, &mut slab.len)
     }
 
     /// Replaces the edges at `v` in the list of `u` by `added`; returns false, having changed nothing, if
     /// there may be no room.
     fn merge_into_hub(&mut self, v: u32, u: u32, added: &[LinkEdge]) -> bool {
-        let slab = self.slabs[u as usize];
-        let removed = self.entries[slab.start as usize..][..slab.len as usize]
-            .chunks_exact(2)
-            .filter(|pair| pair.contains(&v))
-            .count();
-        let len = slab.len as usize - 2 * removed;
-        if len + 2 * added.len() > slab.capacity as usize || len <= 2 * MAX_ORDERED_EDGES {
+        let capacity = self.slabs[u as usize].capacity as usize;
+        let mut list = self.hub_list(u);
+        let len = list.len() - 2 * list.edges_at(v);
+        if len + 2 * added.len() > capacity || len <= 2 * MAX_ORDERED_EDGES {
             return false;
         }
-        self.edit_hub(u, |pair| (!pair.contains(&v)).then_some(pair));
-        let mut at = slab.start as usize + len;
-        for e in added {
-            (self.entries[at], self.entries[at + 1]) = (e.a, e.b);
-            if self.follows_triangles {
-                self.triangles[at..at + 2].fill(e.triangle);
-            }
-            at += 2;
-        }
-        self.slabs[u as usize].len = (at - slab.start as usize) as u32;
+        list.remove_all(v);
+        added.iter().for_each(|&edge| list.push(edge));
         true
     }
 
@@ -279,10 +262,7 @@ impl Links {
             }
         }
         if self.is_hub(w) {
-            self.edit_hub(w, |[a, b]| {
-                let [a, b] = [a, b].map(|x| if x == v { u } else { x });
-                (a != b).then_some([a, b])
-            });
+            self.hub_list(w).rename(v, u);
             return;
         }
         let mut edges = std::mem::take(&mut self.edges);

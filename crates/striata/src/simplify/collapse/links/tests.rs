@@ -138,6 +138,31 @@ fn long_rings_equal_substitution() {
 }
 
 #[test]
+fn long_lists_of_edges_equal_substitution() {
+    // Pages at an edge, with flaps at their ends, of which some become neighbors, or an end of the edge.
+    let n = 700;
+    let (page, flap) = (|i: u32| 2 + i % n, |i: u32| 2 + n + i % n);
+    let triangles: Vec<[u32; 3]> =
+        (0..n).flat_map(|i| [[0, 1, page(i)], [1, 0, page(i + 1)], [1, page(i), flap(i)]]).collect();
+    let mut collapses: Vec<(u32, u32)> = (0..90)
+        .map(|i| (i, i * 97 + 2))
+        .map(|(i, at)| match i % 6 {
+            0 => (flap(at), page(at)),
+            1 => (page(at), flap(at)),
+            2 => (page(at), 1),
+            3 => (flap(at), page(at + 1)),
+            4 => (page(at), 0),
+            _ => (page(at), page(at + 1)),
+        })
+        .collect();
+    for follows in [true, false] {
+        check_at_end(triangles.clone(), 2 + 2 * n as usize, &collapses, follows);
+    }
+    collapses.extend([(0, 1), (page(5), flap(3))]);
+    check_at_end(triangles, 2 + 2 * n as usize, &collapses, true);
+}
+
+#[test]
 fn rings_of_a_grid_equal_substitution() {
     // Interior and border vertices, each collapsed to each neighbor in turn.
     let at = |x: u32, y: u32| 5 * y + x;
