@@ -82,6 +82,13 @@ impl TriangleSearch {
     pub(crate) fn new() -> Self {
         Self { triangle: usize::MAX, left: 1 << 20 }
     }
+
+    /// Begins the next search at a triangle, unless it is `usize::MAX`.
+    pub(crate) fn begin_at(&mut self, triangle: usize) {
+        if triangle != usize::MAX {
+            self.triangle = triangle;
+        }
+    }
 }
 
 impl TriangleTree {
@@ -419,6 +426,34 @@ mod tests {
             // Boxes that are points would let each query visit all triangles.
             assert!(far > 1e12 || visited < 50 * 20, "{far}: {visited}");
         }
+    }
+
+    /// Thin triangles around one edge, whose boxes all contain the points near it.
+    #[test]
+    fn searches_among_thin_triangles_are_limited() {
+        let count = 4000;
+        let blade = |i: usize| {
+            let (sine, cosine) = (i as f32 / count as f32 * std::f32::consts::FRAC_PI_2).sin_cos();
+            [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [cosine, sine, 0.5]]
+        };
+        let tree = TriangleTree::from_corners((0..count).map(blade).collect());
+        let point = |i: usize| {
+            let [_, _, [x, y, _]] = blade(i * 7919 % count);
+            [x, y, 50.0].map(|x| f64::from(x) * 0.01)
+        };
+        let mut search = TriangleSearch::new();
+        let (mut visits, mut exact) = (0, 0);
+        for i in 0..20_000 {
+            let near = tree.searched_distance(point(i), &mut search);
+            assert!(near < 0.011 && search.triangle < count, "{near}");
+            exact += usize::from(near < 1e-6);
+            tree.visit_searched(point(i), 0.01, &mut search, |_, _| {
+                visits += 1;
+                0.01
+            });
+        }
+        assert!(exact > 0, "the first searches have no limit");
+        assert!((1 << 18..=(1 << 20) + 40_000 * VISITS).contains(&visits), "{visits}");
     }
 
     #[test]

@@ -17,8 +17,9 @@ use crate::model::strip_run::{Run, restore_run};
 use crate::model::superfluous::drop_superfluous;
 use crate::strip::{StripSet, strip_triangles};
 
-/// A stage is not tried before the triangles have fallen to this share of those at the last try. Otherwise
-/// a limit that no strips can meet would be tried at every step.
+/// A stage is not tried before the triangles have fallen to this share of those at the last try, or if there are
+/// more groups, which take room in each stage. Otherwise a limit that no strips can meet would be tried at every
+/// step.
 const RETRY_SHARE: f64 = 0.95;
 
 impl LodStrips<'static> {
@@ -91,7 +92,7 @@ struct LodStripsBuilder<'r> {
     arena: Vec<u8>,
     /// Head and length of each record, in the same order.
     records: Vec<(u8, u32)>,
-    /// Number of triangles at which new strips were last tried.
+    /// Number of triangles, or of groups if there are more, at which new strips were last tried.
     tried_at: usize,
 }
 
@@ -143,12 +144,17 @@ impl<'r> LodStripsBuilder<'r> {
     fn needs_strips(&self, step: usize, limit: f64) -> bool {
         let triangle_count = self.sequence.triangle_count_at(step);
         self.current.index_count() as f64 > limit * triangle_count as f64
-            && triangle_count as f64 <= RETRY_SHARE * self.tried_at as f64
+            && self.size_at(step) as f64 <= RETRY_SHARE * self.tried_at as f64
+    }
+
+    /// Number of triangles after a step, or of groups if there are more.
+    fn size_at(&self, step: usize) -> usize {
+        self.sequence.triangle_count_at(step).max(self.current.strips.group_count())
     }
 
     /// The mesh after a step, from the current strips.
     fn level(&mut self, step: usize) -> IndexedMesh {
-        self.tried_at = self.sequence.triangle_count_at(step);
+        self.tried_at = self.size_at(step);
         let vertex_count = self.sequence.step_vertices(step).start as usize;
         let mut level = IndexedMesh::new(self.refinable.mesh.positions[..vertex_count].to_vec(), Vec::new());
         let strips = &self.current.strips;

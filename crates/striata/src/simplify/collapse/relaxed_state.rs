@@ -18,6 +18,11 @@ pub(in crate::simplify) const MAX_LEAF_TRIANGLES: usize = 16;
 /// Share of the triangles that must belong to small parts for a mesh to count as foliage.
 const LEAF_SHARE: f32 = 0.5;
 
+/// Number of triangles that searches for the nearest point may visit in the beginning, and that each of them adds.
+/// Where very many parts have vanished next to each other, every search would visit all of them.
+const FIRST_VISITS: usize = 1 << 22;
+const VISITS: usize = 1 << 8;
+
 /// The positions removed so far, and the target of every vertex at them.
 pub(in crate::simplify) type RemovedPositions<'r> = (&'r [u32], &'r [u32]);
 
@@ -39,6 +44,8 @@ pub(in crate::simplify) struct RelaxedState<'a> {
     /// Index of the last search that visited the star of each position.
     pub stamps: Vec<u32>,
     pub search: u32,
+    /// Number of triangles that searches may still visit.
+    pub visits_left: usize,
     pub keeps_parts: bool,
     /// Whether relaxed collapses begin only after all strict ones.
     pub begins_last: bool,
@@ -67,6 +74,7 @@ impl<'a> RelaxedState<'a> {
             outward: OutwardBounds::default(),
             stamps: Vec::new(),
             search: 0,
+            visits_left: FIRST_VISITS,
             keeps_parts,
             begins_last: false,
             is_foliage: false,
@@ -158,7 +166,7 @@ impl RelaxedState<'_> {
     /// Finds the point of the current surface that is nearest to a given point. The snapshot has
     /// triangles of an earlier surface; the stars of the positions that their corners were merged into
     /// are searched, if `is_counted` accepts those positions. Returns `known` unless something is
-    /// nearer, and stops at a squared distance of `enough`.
+    /// nearer, and stops at a squared distance of `enough`, or at any point after very many visits.
     pub(in crate::simplify) fn nearest_star(
         &mut self,
         (links, positions): (&Links, &[[f32; 4]]),
@@ -166,7 +174,8 @@ impl RelaxedState<'_> {
         (known, enough): (NearestStar, f32),
         is_counted: impl Fn(u32) -> bool,
     ) -> NearestStar {
-        let Self { snapshot, current, stamps, search, edges, .. } = self;
+        let Self { snapshot, current, stamps, search, edges, visits_left, .. } = self;
+        *visits_left += VISITS;
         stamps.resize(positions.len(), 0);
         *search += 1;
         let (mut least, mut position) = known;
@@ -187,7 +196,8 @@ impl RelaxedState<'_> {
                     }
                 }
             }
-            limit_of(least)
+            *visits_left = visits_left.saturating_sub(1);
+            if *visits_left == 0 && least < f32::INFINITY { 0.0 } else { limit_of(least) }
         });
         (least, position)
     }

@@ -22,6 +22,8 @@ const POINTS: [[f64; 3]; 3] =
 const WORSE: f64 = 1.5;
 /// Points of a border edge, each for half of its length.
 const EDGE_POINTS: [f64; 2] = [0.2, 0.8];
+/// Samples of each border for each triangle of the level. Only triangles that share few edges have more.
+const BORDER_SAMPLES: f64 = 1.0;
 /// Distance from a border edge beyond which a border is another one, as a share of the edge's length.
 const BORDER_REACH: f64 = 0.5;
 /// Multiple of the distance to the nearest border edge within which one that leads the same way is looked for.
@@ -121,7 +123,8 @@ pub(super) struct Pairing {
     /// The level as it was when pairs were last found.
     pub level: FitSurface,
     borders: Borders,
-    level_sides: Vec<u32>,
+    level_borders: Borders,
+    border_hints: [Vec<usize>; 2],
     of_original: Vec<PairedSample>,
     of_level: Vec<PairedSample>,
 }
@@ -131,7 +134,7 @@ impl Pairing {
     /// [`MeshError`] if a mesh is inconsistent.
     pub(super) fn new(original: &IndexedMesh, level: &IndexedMesh) -> Result<Self, MeshError> {
         let borders = Borders::new(original, &border_sides(original));
-        let level_sides = border_sides(level);
+        let level_borders = Borders::new(level, &border_sides(level));
         let original = FitSurface::new(original)?;
         let samples = SAMPLES * level.triangle_count() as f64;
         let stride = (original.normals.len() as f64 / samples).max(1.0);
@@ -146,7 +149,15 @@ impl Pairing {
         let of_level =
             (0..level.triangle_count()).flat_map(|t| POINTS.map(|shares| PairedSample::new(t, shares, 0.0)));
         let level = FitSurface::new(level)?;
-        Ok(Self { original, level, borders, level_sides, of_original, of_level: of_level.collect() })
+        Ok(Self {
+            original,
+            level,
+            borders,
+            level_borders,
+            border_hints: Default::default(),
+            of_original,
+            of_level: of_level.collect(),
+        })
     }
 
     /// The distances of pairs of the level as it was when they were found.
@@ -191,7 +202,9 @@ impl Pairing {
             let target = self.original.at(found);
             of_surfaces.push(Pair { level: sample.point, original: found, target, area });
         }
-        let of_borders = self.borders.pairs_with(&Borders::new(level, &self.level_sides));
+        self.level_borders.move_vertices(level);
+        let of_borders =
+            self.borders.pairs_with(&self.level_borders, &mut self.border_hints, level.triangle_count());
         FitPairs { of_surfaces, of_borders }
     }
 }
@@ -211,6 +224,18 @@ struct OpenEdge {
 }
 
 impl OpenEdge {
+    /// Ends of the side of a triangle that begins at a corner.
+    fn ends_in(mesh: &IndexedMesh, triangle: u32, corner: usize) -> [DVec3; 2] {
+        [corner, (corner + 1) % 3]
+            .map(|k| mesh.triangles[triangle as usize][k])
+            .map(|v| DVec3::from(mesh.positions[v as usize].map(f64::from)))
+    }
+
+    fn as_triangle(&self) -> [[f32; 3]; 3] {
+        let [a, b] = self.ends.map(|end| end.to_array().map(|x| x as f32));
+        [a, b, b]
+    }
+
     /// Point with this share of the end.
     fn point(&self, share: f64) -> FitPoint {
         let mut shares = [0.0; 3];
@@ -267,19 +292,22 @@ pub(super) fn is_boundary(adjacency: &Adjacency, edge: &Edge<'_>) -> bool {
 impl Borders {
     /// The borders that consist of these sides, `3 * triangle + corner`.
     fn new(mesh: &IndexedMesh, sides: &[u32]) -> Self {
-        let edge = |&side: &u32| {
-            let (triangle, corner) = (side / 3, side as usize % 3);
-            let [start, end] = [corner, (corner + 1) % 3].map(|k| mesh.triangles[triangle as usize][k]);
-            let ends = [start, end].map(|v| DVec3::from(mesh.positions[v as usize].map(f64::from)));
-            OpenEdge { ends, triangle, corner }
+        let edge = |&side: &u32| OpenEdge {
+            ends: OpenEdge::ends_in(mesh, side / 3, side as usize % 3),
+            triangle: side / 3,
+            corner: side as usize % 3,
         };
         let edges: Vec<OpenEdge> = sides.iter().map(edge).collect();
-        let flat = edges.iter().map(|edge| {
-            let [a, b] = edge.ends.map(|end| end.to_array().map(|x| x as f32));
-            [a, b, b]
-        });
-        let tree = TriangleTree::from_corners(flat.collect());
+        let tree = TriangleTree::from_corners(edges.iter().map(OpenEdge::as_triangle).collect());
         Self { edges, tree }
+    }
+
+    /// Follows vertices that have moved a little.
+    fn move_vertices(&mut self, mesh: &IndexedMesh) {
+        for edge in &mut self.edges {
+            edge.ends = OpenEdge::ends_in(mesh, edge.triangle, edge.corner);
+        }
+        self.tree.move_corners(self.edges.iter().map(OpenEdge::as_triangle));
     }
 
     /// The edge nearest to a point of an edge that leads the same way: the triangles of both lie on the same side.
@@ -300,8 +328,14 @@ impl Borders {
         Some(found).filter(|found| found.is_parallel(edge))
     }
 
-    /// Pairs points of these borders of the original with those of a level's.
-    fn pairs_with(&self, level: &Self) -> Vec<BorderPair> {
+    /// Pairs points of these borders of the original with those of a level of `triangle_count` triangles.
+    /// `last_found` keeps the edges that were found for the samples of either.
+    fn pairs_with(
+        &self,
+        level: &Self,
+        last_found: &mut [Vec<usize>; 2],
+        triangle_count: usize,
+    ) -> Vec<BorderPair> {
         let mut pairs = Vec::new();
         // From shares of both edges, and the length that the pair stands for.
         let mut add = |(edge, share): (&OpenEdge, f64), (own, along): (&OpenEdge, f64), length: f64| {
@@ -313,21 +347,38 @@ impl Borders {
                 pairs.push(BorderPair { pair, along: edge.side().normalize_or_zero() });
             }
         };
+        let stride = |edges: &[OpenEdge]| {
+            let step =
+                (edges.len() as f64 / (BORDER_SAMPLES * triangle_count as f64)).floor().max(1.0) as usize;
+            // The sides of a triangle follow each other, so a multiple of three would meet one of them only.
+            if step.is_multiple_of(3) { step + 1 } else { step }
+        };
         let mut search = TriangleSearch::new();
-        for own in &self.edges {
+        let [of_own, of_level] = last_found;
+        let step = stride(&self.edges);
+        of_own.resize(self.edges.len().div_ceil(step), usize::MAX);
+        for (own, last) in self.edges.iter().step_by(step).zip(of_own) {
             let middle = 0.5 * (own.ends[0] + own.ends[1]);
-            let Some(edge) = level.nearest(middle, own, &mut search) else { continue };
+            search.begin_at(*last);
+            let found = level.nearest(middle, own, &mut search);
+            *last = search.triangle;
+            let Some(edge) = found else { continue };
             let share = share_along(middle, edge.ends[0], edge.ends[1]);
-            add((edge, share), (own, 0.5), own.side().length());
+            add((edge, share), (own, 0.5), step as f64 * own.side().length());
         }
         search.triangle = usize::MAX;
-        for edge in &level.edges {
-            for share in EDGE_POINTS {
-                let point = edge.ends[0].lerp(edge.ends[1], share);
-                let Some(own) = self.nearest(point, edge, &mut search) else { continue };
-                let along = share_along(point, own.ends[0], own.ends[1]);
-                add((edge, share), (own, along), 0.5 * edge.side().length());
-            }
+        let step = stride(&level.edges);
+        of_level.resize(EDGE_POINTS.len() * level.edges.len().div_ceil(step), usize::MAX);
+        let samples =
+            level.edges.iter().step_by(step).flat_map(|edge| EDGE_POINTS.map(|share| (edge, share)));
+        for ((edge, share), last) in samples.zip(of_level) {
+            let point = edge.ends[0].lerp(edge.ends[1], share);
+            search.begin_at(*last);
+            let found = self.nearest(point, edge, &mut search);
+            *last = search.triangle;
+            let Some(own) = found else { continue };
+            let along = share_along(point, own.ends[0], own.ends[1]);
+            add((edge, share), (own, along), 0.5 * step as f64 * edge.side().length());
         }
         pairs
     }
