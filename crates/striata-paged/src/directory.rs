@@ -117,6 +117,11 @@ fn divide(page: &Page, order: &mut [u32], count: usize, bounds: &mut Vec<PageBou
     divide(page, above, count - count / 2, bounds);
 }
 
+/// Path of an image in a folder or bucket: `images/N`.
+pub fn image_path(index: u32) -> String {
+    format!("images/{index}")
+}
+
 /// Path of a page in a folder or bucket: `L/C.page`.
 pub fn page_path(id: PageId) -> String {
     format!("{}/{}.page", id.level, id.cell)

@@ -22,6 +22,12 @@ pub enum PagedError {
         /// The page.
         id: PageId,
     },
+    /// Bytes of an image do not match its checksum, or are too few.
+    #[error("image {index}: the checksum does not match")]
+    ImageChecksum {
+        /// Index of the image.
+        index: u32,
+    },
     /// Pages do not fit together.
     #[error("page of level {}, cell {}: {reason}", id.level, id.cell)]
     Mismatch {

@@ -48,11 +48,11 @@ mod supplied_store;
 
 pub use assemble::{Assembled, assemble};
 pub use cut::{CutPages, PagedCut};
-pub use directory::{PageBound, PageEntry, page_path};
+pub use directory::{PageBound, PageEntry, image_path, page_path};
 pub use error::{HeadDefect, PageDefect, PagedError};
 pub use head::{HEAD_NAME, Leaf, PAGED_MAGIC, PREFIX_BYTES, Prefix, Root, write_head};
 pub use levels::ShownPages;
-pub use metadata::{Metadata, PageId, PagedGrid, PagedGroup, PagedLayer};
+pub use metadata::{Metadata, PageId, PagedGrid, PagedGroup, PagedImage, PagedLayer};
 pub use page::{Import, Page};
 pub use paged_file::{PagedFile, ReadStatistics};
 pub use paged_view::ViewCut;

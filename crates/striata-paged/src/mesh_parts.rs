@@ -4,7 +4,7 @@ use serde_json::Value;
 use striata::mesh::{Appearance, AttributeLayer, ColorSpace, Image, Material, TriangleGroup};
 
 use crate::loaded::{LoadedPages, VertexPlace};
-use crate::{Metadata, Page};
+use crate::{Metadata, Page, PagedImage};
 
 /// Triangles of a mesh that is made of pages.
 #[derive(Debug, Default)]
@@ -92,13 +92,19 @@ pub(crate) fn appearance(metadata: &Metadata) -> Appearance {
     let text =
         |value: &Value, name: &str| value.get(name).and_then(Value::as_str).unwrap_or_default().to_owned();
     let material = |value: &Value| Material { name: text(value, "name"), gltf_json: value.to_string() };
-    let image =
-        |value: &Value| Image { name: text(value, "name"), uri: text(value, "uri"), ..Image::default() };
+    let image = |image: &PagedImage| {
+        let PagedImage { name, uri, mime_type, bytes, .. } = image.clone();
+        Image { name, uri, mime_type, bytes }
+    };
     Appearance {
         materials: list("materials").iter().map(material).collect(),
-        images: list("images").iter().map(image).collect(),
+        images: metadata.images.iter().map(image).collect(),
         textures_json: list("textures").iter().map(Value::to_string).collect(),
         samplers_json: list("samplers").iter().map(Value::to_string).collect(),
+        extensions_used: list("extensions")
+            .iter()
+            .filter_map(|name| name.as_str().map(str::to_owned))
+            .collect(),
         color_space: match text(&metadata.appearance, "color_space").as_str() {
             "linear" => ColorSpace::Linear,
             _ => ColorSpace::Srgb,

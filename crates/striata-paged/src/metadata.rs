@@ -61,6 +61,27 @@ pub struct PagedGroup {
     pub material: Option<u32>,
 }
 
+/// An image of the materials. Its contents follow the pages, or are an object of their own.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct PagedImage {
+    /// Name of the image; may be empty.
+    pub name: String,
+    /// Location relative to the input; empty if it was embedded there.
+    pub uri: String,
+    /// MIME type such as `image/png`; may be empty if only `uri` is known.
+    pub mime_type: String,
+    /// First byte, counted from the first byte of the first page.
+    pub offset: u64,
+    /// Number of bytes; 0 if the image was missing in the input.
+    pub byte_count: u64,
+    /// CRC-32 of the bytes.
+    pub crc: u32,
+    /// Contents, if they have been read.
+    #[serde(skip)]
+    pub bytes: Vec<u8>,
+}
+
 /// Name of a page: the level and the cell whose steps it contains.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct PageId {
@@ -97,8 +118,11 @@ pub struct Metadata {
     pub triangle_layers: Vec<PagedLayer>,
     /// Groups that triangles refer to.
     pub groups: Vec<PagedGroup>,
-    /// glTF materials as JSON objects, one per material, with textures by index and images by address.
+    /// glTF materials as JSON objects, one per material, with textures by index.
     pub appearance: serde_json::Value,
+    /// Images that the textures refer to by index.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub images: Vec<PagedImage>,
     /// Number of cells per level, finest first.
     pub cell_counts: Vec<u32>,
     /// Georeference of a terrain.

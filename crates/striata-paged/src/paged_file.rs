@@ -102,6 +102,22 @@ impl PagedFile {
         self.reader.withhold(id)
     }
 
+    /// Reads the contents of all images, which every mesh of this file has from then on.
+    ///
+    /// # Errors
+    /// [`PagedError`] if an image cannot be read or is damaged.
+    pub fn load_images(&mut self) -> Result<(), PagedError> {
+        for index in 0..self.metadata().images.len() as u32 {
+            let is_loaded = !self.metadata().images[index as usize].bytes.is_empty();
+            let Some(want) = self.reader.image_want(index).filter(|_| !is_loaded) else { continue };
+            let bytes = self.store.read(want.place, want.range)?;
+            self.statistics.request_count += 1;
+            self.statistics.byte_count += bytes.len() as u64;
+            self.reader.supply_image(index, bytes)?;
+        }
+        Ok(())
+    }
+
     /// Fetches everything that the reader wants now.
     fn fetch(&mut self) -> Result<(), PagedError> {
         let wants = self.reader.wants();

@@ -22,6 +22,8 @@ pub enum StoredPlace {
     Head,
     /// A page that is an object of its own.
     Page(PageId),
+    /// An image that is an object of its own, by index.
+    Image(u32),
 }
 
 /// Bytes that are wanted.
@@ -65,6 +67,32 @@ impl PagedReader {
     /// Metadata of the mesh; `None` before the head has arrived.
     pub fn metadata(&self) -> Option<&Metadata> {
         self.head.as_ref().map(|head| &head.metadata)
+    }
+
+    /// Where the contents of an image are; `None` if the file does not have them, or before the head has arrived.
+    pub fn image_want(&self, index: u32) -> Option<Want> {
+        let head = self.head.as_ref()?;
+        let image = head.metadata.images.get(index as usize).filter(|image| image.byte_count > 0)?;
+        let (place, first) = match head.prefix.is_separate {
+            true => (StoredPlace::Image(index), 0),
+            false => (StoredPlace::Head, head.prefix.pages_offset.checked_add(image.offset)?),
+        };
+        Some(Want { place, range: first..first.checked_add(image.byte_count)? })
+    }
+
+    /// Keeps the contents of an image, which all levels have from then on.
+    ///
+    /// # Errors
+    /// [`PagedError::ImageChecksum`] if they are not those that the file was built with.
+    pub fn supply_image(&mut self, index: u32, bytes: Vec<u8>) -> Result<(), PagedError> {
+        let image = self.head.as_mut().and_then(|head| head.metadata.images.get_mut(index as usize));
+        match image {
+            Some(image) if bytes.len() as u64 == image.byte_count && crc32fast::hash(&bytes) == image.crc => {
+                image.bytes = bytes;
+                Ok(())
+            }
+            _ => Err(PagedError::ImageChecksum { index }),
+        }
     }
 
     /// Number of pages; 0 before the head has arrived.

@@ -9,7 +9,7 @@ use tokio::runtime::{Builder, Runtime};
 use tokio::sync::Semaphore;
 use url::Url;
 
-use crate::{HEAD_NAME, PagedError, Store, StoredPlace, Want, page_path};
+use crate::{HEAD_NAME, PagedError, Store, StoredPlace, Want, image_path, page_path};
 
 /// Number of simultaneous requests.
 const MAX_REQUESTS: usize = 16;
@@ -54,6 +54,7 @@ impl RemoteStore {
             StoredPlace::Head if self.is_folder => Path::parse(format!("{}/{HEAD_NAME}", self.path)),
             StoredPlace::Head => Ok(self.path.clone()),
             StoredPlace::Page(id) => Path::parse(format!("{}/{}", self.path, page_path(id))),
+            StoredPlace::Image(index) => Path::parse(format!("{}/{}", self.path, image_path(index))),
         };
         path.map_err(|error| self.failed(&error))
     }

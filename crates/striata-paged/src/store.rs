@@ -5,7 +5,7 @@ use std::io::{Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use crate::{HEAD_NAME, PagedError, StoredPlace, Want, page_path};
+use crate::{HEAD_NAME, PagedError, StoredPlace, Want, image_path, page_path};
 
 /// A source of ranges of bytes.
 pub trait Store: Send + Sync {
@@ -41,6 +41,15 @@ pub fn open_store(address: &str) -> Result<Box<dyn Store>, PagedError> {
     Ok(Box::new(FileStore::new(Path::new(address))))
 }
 
+/// Path of an object in a folder.
+pub(crate) fn path_in(folder: &Path, place: StoredPlace) -> PathBuf {
+    match place {
+        StoredPlace::Head => folder.join(HEAD_NAME),
+        StoredPlace::Page(id) => folder.join(page_path(id)),
+        StoredPlace::Image(index) => folder.join(image_path(index)),
+    }
+}
+
 /// A paged file, or a folder of pages.
 #[derive(Clone, Debug)]
 pub struct FileStore {
@@ -62,9 +71,8 @@ impl Store for FileStore {
 
     fn read(&self, place: StoredPlace, range: Range<u64>) -> Result<Vec<u8>, PagedError> {
         let path = match place {
-            StoredPlace::Head if self.path.is_dir() => self.path.join(HEAD_NAME),
-            StoredPlace::Head => self.path.clone(),
-            StoredPlace::Page(id) => self.path.join(page_path(id)),
+            StoredPlace::Head if !self.path.is_dir() => self.path.clone(),
+            place => path_in(&self.path, place),
         };
         let failed = |source| PagedError::Io { place: path.display().to_string(), source };
         let mut file = File::open(&path).map_err(failed)?;

@@ -48,14 +48,18 @@ impl PagedLodData {
         Ok(Self { file: Arc::new(Mutex::new(file)) })
     }
 
-    /// Runs work on the file on another thread.
+    /// Runs work on the file on another thread, once its images have been read.
     fn run<T: Send + 'static>(
         &self,
         py: Python<'_>,
         work: impl FnOnce(&mut PagedFile) -> Outcome<T> + Send + 'static,
     ) -> Outcome<T> {
         let file = Arc::clone(&self.file);
-        job::run(py, UNKNOWN_SIZE, None, move |_| work(&mut locked(&file)))
+        job::run(py, UNKNOWN_SIZE, None, move |_| {
+            let mut file = locked(&file);
+            file.load_images().map_err(paged_error)?;
+            work(&mut file)
+        })
     }
 }
 

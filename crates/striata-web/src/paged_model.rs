@@ -7,7 +7,7 @@
 use striata::mesh::{Bounds, IndexedMesh};
 use striata::view::{Criterion, DetailBox};
 use striata_paged::{
-    HeadDefect, PagedCut, PagedError, PagedFile, StoredPlace, SuppliedStore, Want, page_path,
+    HeadDefect, PagedCut, PagedError, PagedFile, StoredPlace, SuppliedStore, Want, image_path, page_path,
 };
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -38,6 +38,7 @@ impl PagedWant {
         match self.want.place {
             StoredPlace::Head => String::new(),
             StoredPlace::Page(id) => page_path(id),
+            StoredPlace::Image(index) => image_path(index),
         }
     }
 

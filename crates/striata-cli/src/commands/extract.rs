@@ -32,7 +32,7 @@ pub(crate) fn run(args: &ExtractArgs, output: &Output) -> Result<(), Failure> {
             return Err(Failure::user(format!("--model {name}: paged files have no models"))
                 .with_hint("remove --model; levels, views and boxes are made from the pages"));
         }
-        extract(&mut PagedSource::open(&args.input, args.form)?, args, started, output)?
+        extract(&mut PagedSource::open(&args.input, args.form, args.output.path())?, args, started, output)?
     } else {
         of_input(&Input::open(&args.input)?, args, started, output)?
     };

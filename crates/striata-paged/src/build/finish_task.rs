@@ -7,9 +7,8 @@ use std::path::Path;
 use super::PagedBuildError;
 use super::part_file::{PartFile, PartIndex, PartSegment};
 use super::plan::{PagedPlan, TaskKind, temporary_in, write_whole};
-#[cfg(feature = "remote")]
-use crate::StoredPlace;
-use crate::{HEAD_NAME, PageEntry, PageId, page_path, write_head};
+use crate::store::path_in;
+use crate::{HEAD_NAME, PageEntry, PageId, PagedImage, StoredPlace, write_head};
 
 /// Writes the result.
 pub(super) fn run(plan: &PagedPlan) -> Result<(), PagedBuildError> {
@@ -37,13 +36,20 @@ pub(super) fn run(plan: &PagedPlan) -> Result<(), PagedBuildError> {
     let mut metadata = plan.metadata.clone();
     metadata.position_count = entries.iter().map(|entry| u64::from(entry.position_count)).sum();
     metadata.vertex_count = entries.iter().map(|entry| u64::from(entry.vertex_count)).sum();
+    for image in &mut metadata.images {
+        image.offset = offset;
+        offset += image.byte_count;
+    }
     let destination = ResultDestination::of(&plan.output)?;
     let head = write_head(&metadata, &entries, destination.is_folder());
-    let each = |write: &mut WritePage<'_>| {
+    let each = |write: &mut WriteObject<'_>| {
         ids.iter().try_for_each(|&id| {
             let Some((part, segment)) = pages.find(id).next() else { return Ok(()) };
-            write(id, &split(part, segment)?.1)
-        })
+            write(StoredPlace::Page(id), &split(part, segment)?.1)
+        })?;
+        (0..).zip(&metadata.images).filter(|(_, image)| image.byte_count > 0).try_for_each(
+            |(index, image)| write(StoredPlace::Image(index), &stored_image(&plan.image_path(index), image)?),
+        )
     };
     match destination {
         ResultDestination::File => write_file(&plan.output, &head, &each),
@@ -102,12 +108,19 @@ impl ResultDestination {
     }
 }
 
-/// Takes the bytes of one page.
-type WritePage<'a> = dyn FnMut(PageId, &[u8]) -> Result<(), PagedBuildError> + 'a;
-/// Passes the bytes of every page to a function.
-type EachPage<'a> = dyn Fn(&mut WritePage<'_>) -> Result<(), PagedBuildError> + 'a;
+/// Takes the bytes of one page or image.
+type WriteObject<'a> = dyn FnMut(StoredPlace, &[u8]) -> Result<(), PagedBuildError> + 'a;
+/// Passes the bytes of every page and image to a function.
+type EachObject<'a> = dyn Fn(&mut WriteObject<'_>) -> Result<(), PagedBuildError> + 'a;
 
-fn write_file(output: &Path, head: &[u8], each: &EachPage<'_>) -> Result<(), PagedBuildError> {
+/// The contents of an image, as they were when the plan was made.
+fn stored_image(path: &Path, image: &PagedImage) -> Result<Vec<u8>, PagedBuildError> {
+    let bytes = fs::read(path).map_err(|source| PagedBuildError::io(path, source))?;
+    let is_whole = bytes.len() as u64 == image.byte_count && crc32fast::hash(&bytes) == image.crc;
+    is_whole.then_some(bytes).ok_or_else(|| PagedBuildError::Damaged { path: path.to_owned() })
+}
+
+fn write_file(output: &Path, head: &[u8], each: &EachObject<'_>) -> Result<(), PagedBuildError> {
     let failed = |source| PagedBuildError::io(output, source);
     let folder = output.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let file = temporary_in(folder).map_err(failed)?;
@@ -121,9 +134,9 @@ fn write_file(output: &Path, head: &[u8], each: &EachPage<'_>) -> Result<(), Pag
     Ok(())
 }
 
-fn write_folder(output: &Path, head: &[u8], each: &EachPage<'_>) -> Result<(), PagedBuildError> {
-    each(&mut |id, bytes| {
-        let path = output.join(page_path(id));
+fn write_folder(output: &Path, head: &[u8], each: &EachObject<'_>) -> Result<(), PagedBuildError> {
+    each(&mut |place, bytes| {
+        let path = path_in(output, place);
         let folder = path.parent().unwrap_or(output);
         fs::create_dir_all(folder).map_err(|source| PagedBuildError::io(folder, source))?;
         write_whole(&path, bytes)
@@ -136,7 +149,7 @@ fn write_folder(output: &Path, head: &[u8], each: &EachPage<'_>) -> Result<(), P
 fn write_to_address(
     store: &crate::remote::RemoteStore,
     head: &[u8],
-    each: &EachPage<'_>,
+    each: &EachObject<'_>,
 ) -> Result<(), PagedBuildError> {
     if !store.is_folder() {
         let mut upload = store.upload()?;
@@ -150,7 +163,7 @@ fn write_to_address(
         };
     }
     let mut pages = store.put_all();
-    each(&mut |id, bytes| Ok(pages.put(StoredPlace::Page(id), bytes)?))?;
+    each(&mut |place, bytes| Ok(pages.put(place, bytes)?))?;
     pages.finish()?;
     // The head is written last: readers ignore pages without a head.
     let mut last = store.put_all();

@@ -94,16 +94,19 @@ impl PagedPlan {
         let mut plan = Self::new(input, inputs, options, scanned, paths);
         plan.warnings = source.warnings();
         plan.save()?;
+        // They are in the folder now.
+        plan.metadata.images.iter_mut().for_each(|image| image.bytes = Vec::new());
         Ok(plan)
     }
 
     /// Estimates the bytes of the work folder and of the result, and the number of pages.
     pub fn estimate(&self) -> Estimate {
         let triangles = self.metadata.triangle_count;
+        let images: u64 = self.metadata.images.iter().map(|image| image.byte_count).sum();
         let components: u64 = self.metadata.layers.iter().map(|l| u64::from(l.component_count)).sum();
         Estimate {
-            work_bytes: triangles * (WORK_BYTES_PER_TRIANGLE + BYTES_PER_COMPONENT * components),
-            result_bytes: triangles * (RESULT_BYTES_PER_TRIANGLE + components),
+            work_bytes: triangles * (WORK_BYTES_PER_TRIANGLE + BYTES_PER_COMPONENT * components) + images,
+            result_bytes: triangles * (RESULT_BYTES_PER_TRIANGLE + components) + images,
             page_count: self.metadata.cell_counts.iter().map(|&count| u64::from(count)).sum::<u64>() + 1,
         }
     }

@@ -172,6 +172,9 @@ impl PagedPlan {
         if self.options.weld_distance.is_some() {
             write_whole(&self.folder.join(WELD_NAME), &self.weld.to_bytes())?;
         }
+        for (index, image) in (0..).zip(&self.metadata.images).filter(|(_, image)| image.byte_count > 0) {
+            write_whole(&self.image_path(index), &image.bytes)?;
+        }
         let path = self.folder.join(PLAN_NAME);
         let json = serde_json::to_vec_pretty(self)
             .map_err(|error| PagedBuildError::Plan { path: path.clone(), reason: error.to_string() })?;
@@ -259,6 +262,11 @@ impl PagedPlan {
     /// File of pages that a task writes.
     pub(super) fn pages_path(&self, level: u8, first: u64) -> PathBuf {
         self.folder.join(format!("pages-{level}-{first:08}.part"))
+    }
+
+    /// File of an image of the input.
+    pub(super) fn image_path(&self, index: u32) -> PathBuf {
+        self.folder.join(format!("image-{index:08}.part"))
     }
 
     /// Whether a task has been run.

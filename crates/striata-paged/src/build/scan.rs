@@ -2,7 +2,7 @@
 
 use std::sync::Mutex;
 
-use striata::mesh::ColorSpace;
+use striata::mesh::{ColorSpace, Image};
 use striata::simplify::cells::Partition;
 use striata::{Progress, ProgressFn};
 use striata_io::pieces::{Piece, PieceSource};
@@ -11,7 +11,7 @@ use super::plan::Scanned;
 use super::runner::in_parallel;
 use super::weld::{WeldMap, border};
 use super::{BuildOptions, PagedBuildError};
-use crate::{Metadata, PagedGrid, PagedGroup, PagedLayer};
+use crate::{Metadata, PagedGrid, PagedGroup, PagedImage, PagedLayer};
 
 /// One triangle in this many is a sample for the partition.
 const SAMPLE_STRIDE: usize = 32;
@@ -142,6 +142,7 @@ fn describe(source: &dyn PieceSource, options: &BuildOptions, total: &PieceScan)
             .collect(),
         groups,
         appearance: appearance(source),
+        images: summary.appearance.images.iter().map(image).collect(),
         georeference: summary
             .georeference
             .clone()
@@ -198,7 +199,7 @@ fn median(lengths: &[f32]) -> f64 {
     f64::from(*lengths.select_nth_unstable_by(middle, f32::total_cmp).1)
 }
 
-/// Materials as JSON; images by address.
+/// Materials as JSON.
 fn appearance(source: &dyn PieceSource) -> serde_json::Value {
     let appearance = &source.summary().appearance;
     let parsed = |json: &str| serde_json::from_str(json).unwrap_or(serde_json::Value::Null);
@@ -210,16 +211,22 @@ fn appearance(source: &dyn PieceSource) -> serde_json::Value {
         object["name"] = material.name.clone().into();
         object
     });
-    let images =
-        appearance.images.iter().map(|image| serde_json::json!({"name": image.name, "uri": image.uri}));
     let mut value = serde_json::json!({
         "materials": materials.collect::<Vec<_>>(),
-        "images": images.collect::<Vec<_>>(),
         "textures": appearance.textures_json.iter().map(|t| parsed(t)).collect::<Vec<_>>(),
         "samplers": appearance.samplers_json.iter().map(|t| parsed(t)).collect::<Vec<_>>(),
     });
     if appearance.color_space == ColorSpace::Linear {
         value["color_space"] = "linear".into();
     }
+    if !appearance.extensions_used.is_empty() {
+        value["extensions"] = appearance.extensions_used.clone().into();
+    }
     value
+}
+
+fn image(image: &Image) -> PagedImage {
+    let Image { name, uri, mime_type, bytes } = image.clone();
+    let (byte_count, crc) = (bytes.len() as u64, crc32fast::hash(&bytes));
+    PagedImage { name, uri, mime_type, offset: 0, byte_count, crc, bytes }
 }

@@ -1,15 +1,16 @@
 //! One mesh with levels, whatever is read.
 
 use striata::Target;
+use striata::ignore_progress;
 use striata::levels::Levels as _;
-use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Random, Semantic, replay};
+use striata::mesh::{AttributeLayer, Image, IndexedMesh, LayerData, Random, Semantic, replay};
 use striata::view::DetailBox;
 use striata_io::WriteOptions;
-use striata_paged::build::{BuildInput, BuildOptions};
+use striata_paged::build::{BuildInput, BuildOptions, run_all};
 use striata_paged::{Assembled, CutPages, Page, PagedError, PagedFile, SuppliedStore, assemble};
 use tempfile::TempDir;
 
-use crate::workshop::{attributed, borders, build, check_levels, full, open, options, soup};
+use crate::workshop::{attributed, borders, build, check_levels, full, open, options, plan, soup};
 
 #[test]
 fn all_pages_are_the_input() {
@@ -342,4 +343,45 @@ fn levels_do_not_depend_on_who_fetches_the_bytes() {
         let found = with_bytes(&store, &bytes, || supplied.level_for(&detail));
         assert_eq!(found.mesh, open(&path).level_for(&detail).unwrap().mesh);
     }
+}
+
+#[test]
+fn images_are_kept_with_the_file() {
+    let folder = TempDir::new().unwrap();
+    let mut mesh = attributed();
+    let picture = |name: &str, bytes: &[u8]| Image {
+        name: name.to_owned(),
+        mime_type: "image/png".to_owned(),
+        bytes: bytes.to_vec(),
+        ..Image::default()
+    };
+    mesh.appearance.images = vec![picture("bark", b"\x89PNG wood"), picture("leaf", b"\x89PNG green")];
+    mesh.appearance.textures_json = vec![r#"{"source":0}"#.to_owned(), r#"{"source":1}"#.to_owned()];
+    for (texture, material) in mesh.appearance.materials.iter_mut().enumerate() {
+        material.gltf_json =
+            format!(r#"{{"pbrMetallicRoughness":{{"baseColorTexture":{{"index":{texture}}}}}}}"#);
+    }
+    let path = folder.path().join("tree.glb");
+    striata_io::write(&path, &mesh, &WriteOptions::default()).unwrap();
+    let input = || BuildInput::Files(vec![path.clone()]);
+    let file = build(&folder, input(), options(), 1);
+    let many = plan(&folder, input(), options(), "folder");
+    run_all(&many, 1, &mut ignore_progress).unwrap();
+    many.remove_work().unwrap();
+    std::fs::remove_file(&path).unwrap();
+    for path in [&file, &many.output] {
+        let mut opened = open(path);
+        opened.load_images().unwrap();
+        let level = opened.find(Target::Triangles(500)).unwrap().shape;
+        let view = opened.find_for_box(&DetailBox { min: [0.0; 3], max: [1.0; 3], error_outside: 1.0 }, None);
+        for read in [level, view.unwrap().unwrap().shape] {
+            assert_eq!(read.appearance.images, mesh.appearance.images);
+            assert_eq!(read.appearance.textures_json.len(), 2);
+        }
+    }
+    let mut bytes = std::fs::read(&file).unwrap();
+    *bytes.last_mut().unwrap() ^= 1;
+    std::fs::write(&file, &bytes).unwrap();
+    let error = open(&file).load_images().unwrap_err();
+    assert_eq!(error.to_string(), "image 1: the checksum does not match");
 }

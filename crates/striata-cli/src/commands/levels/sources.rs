@@ -7,6 +7,7 @@ use striata::levels::{FileLevels, FoundLevel};
 use striata::mesh::IndexedMesh;
 use striata::model::ModelKind;
 use striata::strip::StripSet;
+use striata_io::Format;
 use striata_paged::{PagedError, PagedFile};
 use striata_stream::StreamLevels;
 
@@ -202,12 +203,16 @@ pub(in crate::commands) struct PagedSource {
 }
 
 impl PagedSource {
-    /// Opens a file, a folder, or an address.
+    /// Opens a file, a folder, or an address, to write levels of it to `output`.
     ///
     /// # Errors
-    /// If its head cannot be read.
-    pub(in crate::commands) fn open(path: &Path, form: TriangleForm) -> Result<Self, Failure> {
-        Ok(Self { file: PagedFile::open(&path.to_string_lossy()).map_err(failure_of)?, form })
+    /// If its head, or an image that the output can have, cannot be read.
+    pub(in crate::commands) fn open(path: &Path, form: TriangleForm, output: &Path) -> Result<Self, Failure> {
+        let mut file = PagedFile::open(&path.to_string_lossy()).map_err(failure_of)?;
+        if !matches!(Format::from_extension(output), Some(Format::Stl | Format::Off)) {
+            file.load_images().map_err(failure_of)?;
+        }
+        Ok(Self { file, form })
     }
 }
 

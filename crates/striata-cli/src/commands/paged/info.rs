@@ -4,8 +4,8 @@ use std::path::Path;
 
 use serde::Serialize;
 use striata_command::failure::Failure;
-use striata_command::output::{Output, Table, format_bytes, format_count, format_length};
-use striata_paged::{Metadata, PagedFile};
+use striata_command::output::{Output, Table, format_bytes, format_count, format_length, format_noun_count};
+use striata_paged::{Metadata, PagedFile, PagedImage};
 
 use super::failure_of;
 
@@ -80,7 +80,7 @@ fn text(path: &Path, report: &PagedInfoReport) -> String {
         metadata.grid.map_or("exact".to_owned(), |grid| format!("multiples of {}", steps_text(grid.step)));
     format!(
         "{}: paged file of {}\n{} triangles, {} vertices; diagonal {}; positions {}; attributes: {}\n\
-        {} pages, {} ({:.2} bytes per triangle)\n\n{}",
+        {} pages, {} ({:.2} bytes per triangle){}\n\n{}",
         path.display(),
         metadata.source,
         format_count(metadata.triangle_count as usize),
@@ -91,8 +91,18 @@ fn text(path: &Path, report: &PagedInfoReport) -> String {
         format_count(report.page_count as usize),
         format_bytes(report.page_bytes as usize),
         report.page_bytes as f64 / metadata.triangle_count.max(1) as f64,
+        images_text(&metadata.images),
         table.to_text(),
     )
+}
+
+/// The number and size of images, if there are any.
+fn images_text(images: &[PagedImage]) -> String {
+    if images.is_empty() {
+        return String::new();
+    }
+    let bytes: u64 = images.iter().map(|image| image.byte_count).sum();
+    format!("; {}, {}", format_noun_count(images.len(), "image", "images"), format_bytes(bytes as usize))
 }
 
 /// Distances of neighboring positions: one number if all axes have the same.

@@ -31,6 +31,7 @@ pub(crate) fn open_input(path: &Path, triangle_count: usize) -> Result<Input, Fa
     }
     let name = path.to_string_lossy();
     let mut file = PagedFile::open(&name).map_err(failure_of)?;
+    file.load_images().map_err(failure_of)?;
     let assembled = file.level_for_triangles(triangle_count).map_err(failure_of)?;
     let known = assembled.refinable;
     let mut bytes = Vec::new();

@@ -110,6 +110,7 @@ fn page_limits(args: &RenderArgs) -> Result<PageLimits, Failure> {
 /// If the camera is degenerate, or the file is damaged.
 fn paged_view(args: &RenderArgs, eye: Point) -> Result<Figure, Failure> {
     let mut file = PagedFile::open(&args.input.to_string_lossy()).map_err(failure_of)?;
+    file.load_images().map_err(failure_of)?;
     let (facts, bounds) = (file.facts(), file.bounds().map_err(failure_of)?);
     let limit = args.level.level.triangle_count().map(|count| count.of_triangles(facts.triangle_count));
     let view = args.view.on_screen(args.size.0);
