@@ -108,7 +108,8 @@ impl Canvas {
     }
 }
 
-fn over(above: Rgba, below: Rgba) -> Rgba {
+/// Blends a pixel over another.
+pub(crate) fn over(above: Rgba, below: Rgba) -> Rgba {
     std::array::from_fn(|k| above[k] + (1.0 - above[3]) * below[k])
 }
 

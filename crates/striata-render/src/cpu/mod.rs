@@ -1,14 +1,14 @@
 //! The software rasterizer, which draws the same pictures on machines without any graphics driver.
 //!
-//! In reading order: `clip` and `raster` draw surfaces of one color each; `texture`, `shading`, `lit_surface`
-//! and `lit_raster` draw those with materials.
+//! In reading order: `view` projects and clips; `texture`, `shading` and `materials` shade surfaces with
+//! materials, and `surface` all of them; `raster` draws.
 
-mod clip;
-mod lit_raster;
-mod lit_surface;
+mod materials;
 mod raster;
 mod shading;
+mod surface;
 mod texture;
+mod view;
 
 pub(crate) use texture::Texture;
 
@@ -16,7 +16,7 @@ use crate::camera::Camera;
 use crate::canvas::Canvas;
 use crate::shot::Shot;
 
-/// Maximum number of pixels drawn at a time, before downsampling, 20 bytes each; larger pictures are
+/// Maximum number of pixels drawn at a time, before downsampling, 24 bytes each; larger pictures are
 /// drawn in bands.
 const BAND_PIXELS: usize = 4 << 20;
 
@@ -24,8 +24,5 @@ const BAND_PIXELS: usize = 4 << 20;
 pub fn rasterize(shot: &Shot<'_>, camera: &Camera, size: [usize; 2]) -> Canvas {
     let samples_per_row = raster::DOWNSAMPLING * raster::DOWNSAMPLING * size[0].max(1);
     let band_rows = (BAND_PIXELS / samples_per_row).max(1);
-    match shot.visible_look() {
-        Some(look) => lit_raster::draw(shot, look, camera, size, band_rows),
-        None => raster::draw(shot, camera, size, band_rows),
-    }
+    raster::draw(shot, camera, size, band_rows)
 }
