@@ -6,7 +6,7 @@
 //! [`Shot`](crate::Shot)s with all of it.
 //! [`Inspection`] draws individual triangles, colored by strip or fan, with their edges.
 //!
-//! [`LitPainter`] draws scenes with their materials instead of one look: metallic-roughness materials as in
+//! A [`LitFrame`] shows the same vertices with materials instead of one look: metallic-roughness materials as in
 //! glTF, with textures, under an [`Environment`](crate::Environment) and punctual lights. The readme has an example.
 //!
 //! Positions are stored relative to the middle of the bounds, so that a mesh far from the origin keeps its
@@ -19,7 +19,7 @@
 //!
 //! In reading order: `gpu_error`, `gpu_options`, `device` and `adapters` find the device; `copy_back`,
 //! `vertices`, `indices`, `drawing` and `gpu_lod_strips` contain what is drawn; `projection`, `look`,
-//! `painter` and `inspection` draw it; `lit` draws it with materials; `look_painter` and `renderer` draw shots; `canvas` and
+//! `painter` and `inspection` draw it; `lit` draws it with materials; `renderer` draws shots; `canvas` and
 //! `frame_clock` are the target and the timing; `gpu_fan_words`, `gpu_fans`, `fan_extractor` and
 //! `gpu_fan_instance` extract triangles from fans; `probe` tries all of it on an adapter except `lit`.
 //!
@@ -74,7 +74,6 @@ mod indices;
 mod inspection;
 mod lit;
 mod look;
-mod look_painter;
 mod painter;
 mod pipelines;
 mod probe;
@@ -95,8 +94,8 @@ pub use gpu_lod_strips::GpuLodStrips;
 pub use gpu_options::GpuOptions;
 pub use indices::{GpuIndices, GpuMultiDraw};
 pub use inspection::Inspection;
-pub use lit::{LitFrame, LitMaterials, LitObject, LitPainter, LitPart, LitScene, LitVertices};
-pub use look::{Look, Shading, palette_color};
+pub use lit::{LitFrame, LitMaterials, LitObject, LitPart, LitScene};
+pub use look::{Look, palette_color};
 pub use painter::{Painter, Scene};
 pub use renderer::GpuRenderer;
 pub use vertices::GpuVertices;
