@@ -17,6 +17,15 @@ pub struct Canvas {
     pixels: Vec<Rgba>,
 }
 
+/// A drawn picture. Pixels not covered by the model are transparent.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    /// The picture.
+    pub canvas: Canvas,
+    /// Time to draw one frame, not counting setup, seconds.
+    pub secs: f64,
+}
+
 impl Canvas {
     /// Creates a canvas of one color.
     pub fn filled(width: usize, height: usize, color: Rgba) -> Self {

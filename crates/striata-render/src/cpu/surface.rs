@@ -27,7 +27,7 @@ pub(crate) struct Surface<'a> {
 
 /// How the triangles look.
 enum Finish<'a> {
-    Materials(Materials<'a>),
+    Materials(Box<Materials<'a>>),
     Plain(Plain<'a>),
 }
 
@@ -51,7 +51,7 @@ impl<'a> Surface<'a> {
             positions: mesh.positions.iter().map(|&p| view.to_camera_space(p)).collect(),
             normals: normals.filter(|_| !shot.is_flat),
             finish: match shot.visible_look() {
-                Some(look) => Finish::Materials(Materials::new(shot, look)),
+                Some(look) => Finish::Materials(Box::new(Materials::new(shot, look))),
                 None => Finish::Plain(Plain::new(shot, edges)),
             },
         }

@@ -40,8 +40,7 @@ impl Inspection {
         let indices = GpuIndices::upload(gpu, cast_slice(triangles))?;
         let colors = gpu.buffer_of("triangle colors", cast_slice(colors), BufferUsages::STORAGE)?;
         let buffers = [vertices.buffer(0), vertices.buffer(1), vertices.buffer(2), &indices.buffer, &colors];
-        let bindings =
-            bind(gpu, &painter.triangles_layout, buffers.map(wgpu::Buffer::as_entire_binding));
+        let bindings = bind(gpu, &painter.triangles_layout, buffers.map(wgpu::Buffer::as_entire_binding));
         Ok(Self { bindings, triangle_count: triangles.len() as u32 })
     }
 

@@ -17,7 +17,7 @@
 //! Every wgpu backend works, including OpenGL and CPU adapters. [`Gpu::new`] draws a small test triangle on
 //! each adapter before it accepts one, and reports why each other adapter was rejected.
 //!
-//! In reading order: `gpu_error`, `gpu_options`, `device` and `adapters` find the device; `copy_back`,
+//! In reading order: `gpu_error`, `device` and `adapters` find the device; `copy_back`,
 //! `vertices`, `indices`, `drawing` and `gpu_lod_strips` contain what is drawn; `projection`, `look`,
 //! `painter` and `inspection` draw it; `lit` draws it with materials; `renderer` draws shots; `canvas` and
 //! `frame_clock` are the target and the timing; `gpu_fan_words`, `gpu_fans`, `fan_extractor` and
@@ -69,7 +69,6 @@ mod gpu_fan_instance;
 mod gpu_fan_words;
 mod gpu_fans;
 mod gpu_lod_strips;
-mod gpu_options;
 mod indices;
 mod inspection;
 mod lit;
@@ -81,7 +80,7 @@ mod projection;
 mod renderer;
 mod vertices;
 
-pub use adapters::{ChosenAdapter, choose_adapter};
+pub use adapters::{ChosenAdapter, GpuOptions, choose_adapter};
 pub use canvas::{Canvas, Picture};
 pub use device::Gpu;
 pub use drawing::Drawing;
@@ -91,7 +90,6 @@ pub use gpu_error::{GpuError, RejectedAdapter};
 pub use gpu_fan_instance::GpuFanInstance;
 pub use gpu_fans::GpuFans;
 pub use gpu_lod_strips::GpuLodStrips;
-pub use gpu_options::GpuOptions;
 pub use indices::{GpuIndices, GpuMultiDraw};
 pub use inspection::Inspection;
 pub use lit::{LitFrame, LitMaterials, LitObject, LitPart, LitScene};

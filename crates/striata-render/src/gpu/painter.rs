@@ -4,7 +4,9 @@ use std::sync::OnceLock;
 
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
-use wgpu::{BindGroup, BindGroupLayout, Buffer, BufferUsages, Face, RenderPass, RenderPipeline, ShaderStages};
+use wgpu::{
+    BindGroup, BindGroupLayout, Buffer, BufferUsages, Face, RenderPass, RenderPipeline, ShaderStages,
+};
 
 use crate::camera::{Camera, to_f64};
 use crate::gpu::device::Gpu;

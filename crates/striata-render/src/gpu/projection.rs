@@ -34,7 +34,8 @@ mod tests {
             let bounds = Bounds { min: [-scale, 2.0 * scale, 0.0], max: [scale, 5.0 * scale, scale] };
             let camera = Camera::portrait(&bounds, -0.6, 0.1, 0.5);
             let origin = camera.look_at;
-            let matrix = camera.clip_from(DVec3::from(origin.map(f64::from)), 1e-3 * f64::from(scale), [1, 1]);
+            let matrix =
+                camera.clip_from(DVec3::from(origin.map(f64::from)), 1e-3 * f64::from(scale), [1, 1]);
             for corner in 0..8 {
                 let point: [f32; 3] = std::array::from_fn(|k| {
                     (if corner >> k & 1 == 0 { bounds.min[k] } else { bounds.max[k] }) - origin[k]

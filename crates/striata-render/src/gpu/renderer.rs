@@ -134,8 +134,7 @@ impl GpuRenderer {
         look: &Look,
     ) -> Result<Uploaded, GpuError> {
         let lines = LineTriangles::new(&shot.lines, view.0, shot.vertices.vertex_count());
-        let mut vertices =
-            GpuVertices::with_more(&self.gpu, shot.vertices, &lines.positions, shot.is_flat)?;
+        let mut vertices = GpuVertices::with_more(&self.gpu, shot.vertices, &lines.positions, shot.is_flat)?;
         if let Paint::Vertices(colors) = &shot.paint {
             vertices.set_colors(&self.gpu, colors);
         }

@@ -8,7 +8,7 @@ use crate::support::lit::{
 };
 use glam::{Mat4, Vec3};
 use striata::mesh::{AttributeLayer, ColorSpace, IndexedMesh, LayerData, Semantic};
-use striata_render::gpu::{GpuIndices, LitFrame, LitMaterials, LitObject, LitPart, LitScene, GpuVertices};
+use striata_render::gpu::{GpuIndices, GpuVertices, LitFrame, LitMaterials, LitObject, LitPart, LitScene};
 use striata_render::{AlphaMode, Light, LightKind, Material, RgbaImage, Sampler, TextureUse, UvTransform};
 
 #[test]

@@ -22,6 +22,7 @@ use tokio::fs::File;
 use tokio::io::{AsyncReadExt, AsyncSeekExt, BufReader};
 use tokio_util::io::ReaderStream;
 
+use super::ServerState;
 use super::folder::{Folder, OpenedFile, Stamp};
 use super::kinds::{content_type, is_text};
 use super::validators::{Coding, Validators};
@@ -35,12 +36,12 @@ const LEVEL: Level = Level::Precise(5);
 
 /// Handles requests for `models/PATH`.
 pub(super) async fn handle(
-    State(folder): State<Arc<Folder>>,
+    State(state): State<ServerState>,
     method: Method,
     uri: Uri,
     request: HeaderMap,
 ) -> Response {
-    let Some(found) = find(&folder, uri.path(), "/models/", "").await else { return not_found() };
+    let Some(found) = find(&state.folder, uri.path(), "/models/", "").await else { return not_found() };
     let mut file = File::from_std(found.file);
     file.set_max_buf_size(CHUNK_BYTES);
     match send(file, &found.name, &found.stamp, &method, &request).await {
@@ -52,12 +53,7 @@ pub(super) async fn handle(
 
 /// Response for files that do not exist.
 pub(super) fn not_found() -> Response {
-    (
-        StatusCode::NOT_FOUND,
-        "file not found
-",
-    )
-        .into_response()
+    (StatusCode::NOT_FOUND, "file not found\n").into_response()
 }
 
 /// Opens the file that a path names between a prefix and a suffix, on a thread that may block.

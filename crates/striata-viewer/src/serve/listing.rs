@@ -22,6 +22,7 @@ use striata_io::Format;
 use tokio::io::AsyncReadExt as _;
 use tokio::sync::Mutex;
 
+use super::ServerState;
 use super::folder::{Folder, Stamp, encoded};
 use super::header_facts::{HeaderFacts, companions};
 use super::validators::{Coding, Validators};
@@ -93,11 +94,11 @@ struct Model<'a> {
 
 /// Handles requests for `models.json`.
 pub(super) async fn handle(
-    State(listing): State<Arc<Listing>>,
+    State(state): State<ServerState>,
     Query(wanted): Query<Wanted>,
     request: HeaderMap,
 ) -> Response {
-    let list = listing.current().await;
+    let list = state.listing.current().await;
     let is_whole = wanted.from == 0 && wanted.count.is_none();
     let (json, tag) = match is_whole {
         true => (list.json.clone(), list.tag.clone()),

@@ -20,7 +20,6 @@ mod kinds;
 mod listing;
 mod options;
 mod server;
-mod server_state;
 mod session;
 mod show_args;
 mod thumbnail;
@@ -46,10 +45,21 @@ use folder::Folder;
 use guard::Hosts;
 use listing::Listing;
 use options::Options;
-use server_state::ServerState;
+use session::Session;
 use striata_command::failure::Failure;
 use striata_command::output::{Output, format_count};
 use thumbnails::Thumbnails;
+
+/// What the handlers of requests share.
+#[derive(Clone, Debug)]
+struct ServerState {
+    folder: Arc<Folder>,
+    listing: Arc<Listing>,
+    thumbnails: Arc<Thumbnails>,
+    assets: Arc<Assets>,
+    /// The pages that keep the server alive, if any do.
+    session: Option<Arc<Session>>,
+}
 
 #[derive(Serialize)]
 struct ServeReport {

@@ -8,7 +8,7 @@
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 use axum::body::Bytes;
@@ -22,8 +22,9 @@ use tokio::process::Command;
 use tokio::sync::Semaphore;
 use tokio::time::timeout;
 
+use super::ServerState;
 use super::files::{find, not_found};
-use super::folder::{Folder, Stamp};
+use super::folder::Stamp;
 use super::kinds::is_model;
 use super::thumbnail::{HEIGHT, WIDTH};
 use super::validators::{Coding, Validators};
@@ -127,8 +128,7 @@ fn reason_of(message: &str) -> Option<String> {
 
 /// Handles requests for `pictures/PATH.png`.
 pub(super) async fn handle(
-    State(folder): State<Arc<Folder>>,
-    State(thumbnails): State<Arc<Thumbnails>>,
+    State(ServerState { folder, thumbnails, .. }): State<ServerState>,
     uri: Uri,
     request: HeaderMap,
 ) -> Response {

@@ -6,8 +6,8 @@ use bytemuck::cast_slice;
 use glam::{Mat4, Vec3};
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, shapes};
 use striata_render::gpu::{
-    Canvas, Gpu, GpuError, GpuIndices, LitFrame, LitMaterials, LitObject, Painter, LitPart, LitScene,
-    GpuVertices, Picture,
+    Canvas, Gpu, GpuError, GpuIndices, GpuVertices, LitFrame, LitMaterials, LitObject, LitPart, LitScene,
+    Painter, Picture,
 };
 use striata_render::{
     Camera, Environment, Light, LightKind, Material, RgbaImage, Sampler, TextureUse, UvTransform, to_srgb,
