@@ -239,7 +239,7 @@ mod tests {
     use std::borrow::Cow;
 
     use super::*;
-    use crate::{Line, SceneLook, Style, ViewAngles, rasterize, triangle_colors, with_normals};
+    use crate::{Line, SceneLook, Style, ViewAngles, rasterize, to_srgb, triangle_colors, with_normals};
 
     fn torus() -> (IndexedMesh, Camera) {
         let mesh = with_normals(shapes::torus(48, 24, 1.0, 0.4));
@@ -250,22 +250,28 @@ mod tests {
 
     /// Panics if the GPU's picture differs from the rasterizer's by more than rounding and sampling explain.
     fn both_draw_the_same(shot: &Shot<'_>, camera: &Camera, least_drawn: usize) {
-        both_draw_the_same_at([150, 100], shot, camera, least_drawn);
-    }
-
-    fn both_draw_the_same_at(size: [usize; 2], shot: &Shot<'_>, camera: &Camera, least_drawn: usize) {
+        let size = [450, 300];
         let (mut renderer, _) = GpuRenderer::open(&GpuOptions::default())
             .expect("an adapter; apt-get install mesa-vulkan-drivers");
         let by_gpu = renderer.draw(shot, camera, size).expect("a working device").canvas;
         let pictures = [by_gpu, rasterize(shot, camera, size)];
         let pairs = pictures[0].pixels().iter().zip(pictures[1].pixels());
-        let distances: Vec<f32> =
-            pairs.map(|(a, b)| a.iter().zip(b).map(|(x, y)| (x - y).abs()).fold(0.0, f32::max)).collect();
-        let drawn = pictures[1].pixels().iter().filter(|pixel| pixel[3] > 0.5).count();
-        let far = distances.iter().filter(|&&d| d > 0.08).count();
-        let mean = distances.iter().sum::<f32>() / drawn as f32;
-        assert!(drawn > least_drawn, "{drawn} pixels were drawn");
-        assert!(far < drawn / 12 && mean < 0.03, "{:?}: {far} of {drawn} pixels, mean {mean}", shot.paint);
+        let drawn: Vec<_> = pairs.filter(|(a, b)| a[3].max(b[3]) > 0.5).collect();
+        let difference =
+            |a: &[f32; 4], b: &[f32; 4]| [0, 1, 2].map(|k| to_srgb(a[k]).abs_diff(to_srgb(b[k])));
+        let differences: Vec<[u8; 3]> = drawn.iter().map(|(a, b)| difference(a, b)).collect();
+        let far = differences.iter().filter(|bytes| bytes.iter().any(|&byte| byte > 32)).count();
+        let sum: u32 = differences.as_flattened().iter().map(|&byte| u32::from(byte)).sum();
+        let mean = f64::from(sum) / 3.0 / drawn.len() as f64;
+        // How dark a line narrower than a pixel is depends on where the pixel is sampled.
+        let limit = if shot.has_edges { 1.25 } else { 1.0 };
+        assert!(drawn.len() > least_drawn, "{} pixels were drawn", drawn.len());
+        assert!(
+            far < drawn.len() / 40 && mean <= limit,
+            "{:?}: {far} of {} pixels, mean {mean}",
+            shot.paint,
+            drawn.len()
+        );
     }
 
     #[test]
@@ -292,7 +298,7 @@ mod tests {
                 look: None,
                 lines,
             };
-            both_draw_the_same(&shot, &camera, 4000);
+            both_draw_the_same(&shot, &camera, 36_000);
         }
     }
 
@@ -303,7 +309,7 @@ mod tests {
         let camera =
             Camera { eye: [1.0, 0.0, 0.05], look_at: [0.8, 0.05, 0.6], up: [0.0, 1.0, 0.0], fov: 1.2 };
         for style in [Style::SMOOTH, Style::FACETED] {
-            both_draw_the_same(&Shot::of(&mesh, Paint::Surface, style), &camera, 14_000);
+            both_draw_the_same(&Shot::of(&mesh, Paint::Surface, style), &camera, 126_000);
         }
     }
 
@@ -391,7 +397,7 @@ mod tests {
         for style in [Style::SMOOTH, Style::FLAT] {
             let shot = Shot::of(&mesh, Paint::Surface, style);
             let shot = Shot { look: Some(&look), lines: vec![line], ..shot };
-            both_draw_the_same(&shot, &camera, 3000);
+            both_draw_the_same(&shot, &camera, 27_000);
         }
     }
 
@@ -407,7 +413,6 @@ mod tests {
         let angles = ViewAngles { turn: 0.4, rise: 0.3, up: [0.0, 1.0, 0.0], fov: 0.5 };
         let camera = Camera::around(&mesh.positions, &angles, 1.5);
         let shot = Shot { look: Some(&look), ..Shot::of(&mesh, Paint::Surface, Style::SMOOTH) };
-        // Thin parts with fine stripes need more pixels than silhouettes have.
-        both_draw_the_same_at([450, 300], &shot, &camera, 5000);
+        both_draw_the_same(&shot, &camera, 5000);
     }
 }
