@@ -4,11 +4,10 @@ use glam::{DVec3, Vec3};
 use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
 use striata_scene::drawn::{AlphaMode, Material, TextureUse};
 
-use super::raster::DOWNSAMPLING;
 use super::shading::{MIN_ROUGHNESS, SurfacePoint, shade};
 use super::surface::{Surface, flat_normal, shares, sides};
 use super::texture::{Footprint, Texture};
-use super::view::View;
+use super::view::{DOWNSAMPLING, View};
 use crate::Rgba;
 use crate::material_images::{BASE_COLOR, EMISSIVE, METALLIC_ROUGHNESS, NORMAL, OCCLUSION, material_images};
 use crate::scene_look::SceneLook;

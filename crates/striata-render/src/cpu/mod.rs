@@ -1,8 +1,9 @@
 //! The software rasterizer, which draws the same pictures on machines without any graphics driver.
 //!
-//! In reading order: `view` projects and clips; `texture`, `shading` and `materials` shade surfaces with
-//! materials, and `surface` all of them; `raster` draws.
+//! In reading order: `view` projects and clips; `surface` finds the point that a sample shows; `texture`, `shading` and
+//! `materials` shade those with materials, and `finish` all of them; `raster` draws.
 
+mod finish;
 mod materials;
 mod raster;
 mod shading;
@@ -22,7 +23,7 @@ const BAND_PIXELS: usize = 4 << 20;
 
 /// Draws a shot on the CPU; uncovered pixels are transparent.
 pub fn rasterize(shot: &Shot<'_>, camera: &Camera, size: [usize; 2]) -> Canvas {
-    let samples_per_row = raster::DOWNSAMPLING * raster::DOWNSAMPLING * size[0].max(1);
+    let samples_per_row = view::DOWNSAMPLING * view::DOWNSAMPLING * size[0].max(1);
     let band_rows = (BAND_PIXELS / samples_per_row).max(1);
     raster::draw(shot, camera, size, band_rows)
 }

@@ -11,15 +11,13 @@ use std::ops::Range;
 
 use striata_scene::drawn::AlphaMode;
 
-use super::surface::{Surface, light_of};
-use super::view::{ScreenPoint, View};
+use super::finish::{Finish, light_of};
+use super::surface::Surface;
+use super::view::{DOWNSAMPLING, ScreenPoint, View};
 use crate::canvas::over;
 use crate::scene_look::in_parallel;
 use crate::shot::{LineTriangles, Shot};
 use crate::{Camera, Canvas, Rgba};
-
-/// Downsampling factor: each final pixel is the mean of a square of this many samples per side.
-pub(crate) const DOWNSAMPLING: usize = 3;
 
 /// No triangle at a sample.
 const NONE: u32 = u32::MAX;
@@ -35,14 +33,16 @@ pub(crate) fn draw(
     max_band_rows: usize,
 ) -> Canvas {
     let view = View::new(shot, camera, [DOWNSAMPLING * width, DOWNSAMPLING * height]);
-    let surface = Surface::new(shot, &view, shot.edge_opacity(camera, height));
+    let surface = Surface::new(shot, &view);
+    let finish = Finish::new(shot, shot.edge_opacity(camera, height));
     let lines = LineTriangles::new(&shot.lines, camera, 0);
     let line = |(corners, color): (&[u32; 3], _)| {
         let corners = corners.map(|v| view.to_camera_space(lines.positions[v as usize]));
         (corners.map(|corner| view.project(corner)), light_of(color).extend(1.0).to_array())
     };
     let lines = lines.triangles.iter().zip(lines.colors.iter().copied()).map(line).collect();
-    let picture = Picture { triangles: ScreenTriangles::new(&surface, &view), lines, surface, view };
+    let triangles = ScreenTriangles::new(&surface, &finish, &view);
+    let picture = Picture { triangles, lines, surface, finish, view };
     let band_rows = max_band_rows.min(height.div_ceil(LEAST_BANDS)).max(1);
     let starts: Vec<usize> = (0..height).step_by(band_rows).collect();
     let bands = in_parallel(starts.len(), &|band| {
@@ -59,6 +59,7 @@ pub(crate) fn draw(
 /// Everything that bands share.
 struct Picture<'a> {
     surface: Surface<'a>,
+    finish: Finish<'a>,
     triangles: ScreenTriangles,
     lines: Vec<(Corners, Rgba)>,
     view: View,
@@ -80,11 +81,11 @@ struct ScreenTriangles {
 }
 
 impl ScreenTriangles {
-    fn new(surface: &Surface<'_>, view: &View) -> Self {
+    fn new(surface: &Surface<'_>, finish: &Finish<'_>, view: &View) -> Self {
         let points = surface.positions.iter().map(|&position| view.project(position)).collect();
         let (mut whole, mut cut, mut blended) = (Vec::new(), Vec::new(), Vec::new());
         for (index, triangle) in (0..).zip(surface.triangles) {
-            let Some(alpha_mode) = surface.alpha_mode(index as usize) else { continue };
+            let Some(alpha_mode) = finish.alpha_mode(surface, index as usize) else { continue };
             let corners = triangle.map(|v| surface.positions[v as usize]);
             let is_blended = alpha_mode == AlphaMode::Blend;
             if !is_blended && corners.iter().all(|&corner| view.is_inside(corner)) {
@@ -136,10 +137,10 @@ impl Picture<'_> {
         let mut numbers = vec![NONE; width * band.rows.len()];
         let Band { nearest, rows, .. } = &mut *band;
         let mut draw = |index: u32, corners: &Corners| {
-            let cutoff = self.surface.cutoff(index as usize);
+            let cutoff = self.finish.cutoff(index as usize);
             let is_visible = |x: usize, y: usize, cutoff: f32| {
                 let sample = [x as f64 + 0.5, y as f64 + 0.5];
-                self.surface.alpha(index as usize, &self.view, sample) >= cutoff
+                self.finish.alpha(&self.surface, &self.view, index as usize, sample) >= cutoff
             };
             visit_samples(corners, rows, width, |x, y, depth| {
                 let at = (y - rows.start) * width + x;
@@ -167,7 +168,7 @@ impl Picture<'_> {
             [DOWNSAMPLING * column + i % DOWNSAMPLING, DOWNSAMPLING * row + i / DOWNSAMPLING]
         });
         let number = samples.map(|[x, y]| numbers[y * width + x]);
-        let is_single = self.surface.has_details();
+        let is_single = self.finish.has_details();
         for first in 0..number.len() {
             if number[first] == NONE || (!is_single && number[..first].contains(&number[first])) {
                 continue;
@@ -175,7 +176,7 @@ impl Picture<'_> {
             let end = if is_single { first + 1 } else { number.len() };
             let same = || (first..end).filter(|&i| number[i] == number[first]);
             let middle = mean(same().map(|i| samples[i]), band.rows.start);
-            let color = self.surface.shade(number[first] as usize, &self.view, middle);
+            let color = self.finish.shade(&self.surface, &self.view, number[first] as usize, middle);
             same().for_each(|i| band.canvas.row_mut(samples[i][1])[samples[i][0]] = color);
         }
     }
@@ -193,7 +194,7 @@ impl Picture<'_> {
         visible.sort_unstable_by_key(pixel);
         for samples in visible.chunk_by(|a, b| pixel(a) == pixel(b)) {
             let middle = mean(samples.iter().copied(), start);
-            let color = self.surface.shade(index, &self.view, middle);
+            let color = self.finish.shade(&self.surface, &self.view, index, middle);
             for &[x, y] in samples {
                 let below = &mut band.canvas.row_mut(y)[x];
                 *below = over(color, *below);

@@ -5,6 +5,9 @@ use glam::{DVec3, Vec3};
 use crate::camera::{Axes, Camera, to_f64};
 use crate::shot::Shot;
 
+/// Downsampling factor: each final pixel is the mean of a square of this many samples per side.
+pub(crate) const DOWNSAMPLING: usize = 3;
+
 /// A camera as three axes and a scale.
 pub(crate) struct View {
     axes: Axes,

@@ -91,7 +91,7 @@ impl GpuRenderer {
             light: shot.light(),
             ..Look::default()
         };
-        let uploaded = self.upload(shot, (camera, size), &look)?;
+        let uploaded = self.upload(shot, camera, size, &look)?;
         // The first frame pays for shader compilation and first use of memory.
         self.frame(&canvas, &uploaded)?;
         let started = Instant::now();
@@ -130,16 +130,18 @@ impl GpuRenderer {
     fn upload(
         &mut self,
         shot: &Shot<'_>,
-        view: (&Camera, [u32; 2]),
+        camera: &Camera,
+        size: [u32; 2],
         look: &Look,
     ) -> Result<Uploaded, GpuError> {
-        let lines = LineTriangles::new(&shot.lines, view.0, shot.vertices.vertex_count());
+        let view = (camera, size);
+        let lines = LineTriangles::new(&shot.lines, camera, shot.vertices.vertex_count());
         let mut vertices = GpuVertices::with_more(&self.gpu, shot.vertices, &lines.positions, shot.is_flat)?;
         if let Paint::Vertices(colors) = &shot.paint {
             vertices.set_colors(&self.gpu, colors);
         }
-        let surface = match shot.visible_look() {
-            Some(materials) => Surface::Materials(self.lit_frame(shot, materials, &vertices, view)?),
+        let surface = match self.lit_frame(shot, &vertices, camera, size)? {
+            Some(frame) => Surface::Materials(frame),
             None => self.surface(shot, &vertices, self.painter.scene(&self.gpu, &vertices, view, look)?)?,
         };
         let (gpu, painter) = (&self.gpu, &self.painter);
@@ -171,14 +173,15 @@ impl GpuRenderer {
         })
     }
 
-    /// Uploads a surface with materials, which stay for the next shot with the same look.
+    /// Uploads a surface with materials, if the shot has some; they stay for the next shot with the same look.
     fn lit_frame(
         &mut self,
         shot: &Shot<'_>,
-        look: &SceneLook,
         vertices: &GpuVertices,
-        (camera, size): (&Camera, [u32; 2]),
-    ) -> Result<LitFrame, GpuError> {
+        camera: &Camera,
+        size: [u32; 2],
+    ) -> Result<Option<LitFrame>, GpuError> {
+        let Some(look) = shot.visible_look() else { return Ok(None) };
         let (gpu, painter) = (&self.gpu, &self.painter);
         let materials = match self.materials.take() {
             Some((id, materials)) if id == look.id() => materials,
@@ -191,7 +194,7 @@ impl GpuRenderer {
         // Lights beyond the limit are left out.
         let lights = &look.lights[..look.lights.len().min(LitFrame::MAX_LIGHT_COUNT)];
         let scene = LitScene { camera, size, lights, materials, objects: &objects };
-        LitFrame::new(gpu, painter, &Environment::studio(), &scene)
+        LitFrame::new(gpu, painter, &Environment::studio(), &scene).map(Some)
     }
 }
 

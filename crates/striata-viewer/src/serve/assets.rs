@@ -15,7 +15,6 @@ use axum::http::{HeaderMap, HeaderValue, Uri};
 use axum::response::{IntoResponse, Response};
 use tokio::io::{AsyncWrite, AsyncWriteExt};
 
-use super::ServerState;
 use super::files::not_found;
 use super::kinds::page_type;
 use super::validators::{Coding, Validators};
@@ -84,10 +83,10 @@ fn has_hash(name: &str) -> bool {
 }
 
 /// Handles every request that is not for a model.
-pub(super) async fn handle(State(state): State<ServerState>, uri: Uri, request: HeaderMap) -> Response {
+pub(super) async fn handle(State(assets): State<Arc<Assets>>, uri: Uri, request: HeaderMap) -> Response {
     let name = uri.path().trim_start_matches('/');
     let name = if name.is_empty() { "index.html" } else { name };
-    let Some(asset) = state.assets.0.get(name) else { return not_found() };
+    let Some(asset) = assets.0.get(name) else { return not_found() };
     let ready = [(Coding::Brotli, asset.brotli.get()), (Coding::Gzip, asset.gzip.get())];
     let offers: Vec<Coding> = ready.iter().filter(|(_, b)| b.is_some()).map(|&(coding, _)| coding).collect();
     let coding = Coding::chosen(&request, &offers);

@@ -22,7 +22,6 @@ use tokio::fs::File;
 use tokio::io::{AsyncReadExt, AsyncSeekExt, BufReader};
 use tokio_util::io::ReaderStream;
 
-use super::ServerState;
 use super::folder::{Folder, OpenedFile, Stamp};
 use super::kinds::{content_type, is_text};
 use super::validators::{Coding, Validators};
@@ -36,12 +35,12 @@ const LEVEL: Level = Level::Precise(5);
 
 /// Handles requests for `models/PATH`.
 pub(super) async fn handle(
-    State(state): State<ServerState>,
+    State(folder): State<Arc<Folder>>,
     method: Method,
     uri: Uri,
     request: HeaderMap,
 ) -> Response {
-    let Some(found) = find(&state.folder, uri.path(), "/models/", "").await else { return not_found() };
+    let Some(found) = find(&folder, uri.path(), "/models/", "").await else { return not_found() };
     let mut file = File::from_std(found.file);
     file.set_max_buf_size(CHUNK_BYTES);
     match send(file, &found.name, &found.stamp, &method, &request).await {

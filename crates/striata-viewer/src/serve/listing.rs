@@ -22,7 +22,6 @@ use striata_io::Format;
 use tokio::io::AsyncReadExt as _;
 use tokio::sync::Mutex;
 
-use super::ServerState;
 use super::folder::{Folder, Stamp, encoded};
 use super::header_facts::{HeaderFacts, companions};
 use super::validators::{Coding, Validators};
@@ -94,11 +93,11 @@ struct Model<'a> {
 
 /// Handles requests for `models.json`.
 pub(super) async fn handle(
-    State(state): State<ServerState>,
+    State(listing): State<Arc<Listing>>,
     Query(wanted): Query<Wanted>,
     request: HeaderMap,
 ) -> Response {
-    let list = state.listing.current().await;
+    let list = listing.current().await;
     let is_whole = wanted.from == 0 && wanted.count.is_none();
     let (json, tag) = match is_whole {
         true => (list.json.clone(), list.tag.clone()),

@@ -20,8 +20,6 @@ use tokio::sync::Notify;
 use tokio::time::{Interval, MissedTickBehavior, interval, sleep};
 use tokio_util::io::ReaderStream;
 
-use super::ServerState;
-
 /// How long the server waits for a page that loads again.
 const GRACE: Duration = Duration::from_secs(3);
 
@@ -39,8 +37,8 @@ pub(super) struct Session {
 }
 
 /// Handles requests for `session`: a response that never ends.
-pub(super) async fn handle(State(state): State<ServerState>) -> Response {
-    let Some(session) = state.session else { return StatusCode::NOT_FOUND.into_response() };
+pub(super) async fn handle(State(session): State<Option<Arc<Session>>>) -> Response {
+    let Some(session) = session else { return StatusCode::NOT_FOUND.into_response() };
     let mut response = Response::new(Body::from_stream(ReaderStream::with_capacity(session.enter(), 1)));
     response.headers_mut().insert(CONTENT_TYPE, HeaderValue::from_static("text/plain"));
     response.headers_mut().insert(CACHE_CONTROL, HeaderValue::from_static("no-store"));

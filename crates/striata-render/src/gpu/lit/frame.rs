@@ -97,7 +97,8 @@ impl LitFrame {
             return Err(GpuError::TooManyLights { count, limit });
         }
         let near = scene.objects.iter().map(|object| object.vertices.near_plane(scene.camera));
-        let data = FrameData::new(scene, environment, near.fold(1e30, f64::min));
+        let near = near.fold(1e30, f64::min);
+        let data = FrameData::new(scene.camera, scene.size, near, environment, scene.lights);
         let program = painter.lit(gpu);
         let bindings = frame_bindings(gpu, program, environment, bytes_of(&data))?;
         Ok(Self { bindings, draws: sorted_draws(gpu, program, scene)? })

@@ -4,8 +4,8 @@ use bytemuck::{Pod, Zeroable};
 use glam::{DVec3, Vec3};
 use striata_scene::drawn::{Light, LightKind};
 
+use crate::camera::Camera;
 use crate::environment::Environment;
-use crate::gpu::lit::frame::LitScene;
 
 /// Largest number of lights in a frame.
 pub(crate) const MAX_LIGHT_COUNT: usize = 32;
@@ -34,8 +34,13 @@ struct LightData {
 }
 
 impl FrameData {
-    pub(crate) fn new(scene: &LitScene<'_>, environment: &Environment, near: f64) -> Self {
-        let LitScene { camera, lights, .. } = *scene;
+    pub(crate) fn new(
+        camera: &Camera,
+        size: [u32; 2],
+        near: f64,
+        environment: &Environment,
+        lights: &[Light],
+    ) -> Self {
         let (axes, eye) = (camera.axes(), camera.eye_64());
         let with = |[x, y, z]: [f32; 3], w: f32| [x, y, z, w];
         let mut of_lights = [LightData::zeroed(); MAX_LIGHT_COUNT];
@@ -45,7 +50,7 @@ impl FrameData {
         let light_count = lights.len().min(MAX_LIGHT_COUNT) as f32;
         let axis = |direction: [f32; 3]| Vec3::from(direction).normalize_or(Vec3::Y).to_array();
         Self {
-            clip_from_eye: camera.clip_from(eye, near, scene.size).to_cols_array_2d(),
+            clip_from_eye: camera.clip_from(eye, near, size).to_cols_array_2d(),
             screen_axes: axes.map(|axis| with(axis.as_vec3().to_array(), 0.0)),
             ground: with(environment.ground, 0.0),
             sky: with(environment.sky, light_count),

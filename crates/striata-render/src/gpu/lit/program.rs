@@ -1,4 +1,4 @@
-//! What all pictures with materials share: the shader, its bindings and pipelines, and the reflectance table.
+//! Shared by all pictures with materials: the shader, its bindings and pipelines, and the reflectance table.
 
 use std::collections::HashMap;
 use std::sync::{Mutex, PoisonError};
@@ -33,7 +33,7 @@ pub(crate) struct LitProgram {
     pipelines: Mutex<HashMap<PipelineKey, RenderPipeline>>,
 }
 
-/// What needs a pipeline of its own.
+/// Properties that need a pipeline of their own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct PipelineKey {
     /// Whether the mesh has each attribute.
