@@ -53,9 +53,14 @@ impl<'a> Finish<'a> {
         }
     }
 
-    /// Whether each sample is shaded by itself, rather than all those of a triangle in a pixel together.
-    pub(crate) fn has_details(&self) -> bool {
-        matches!(self, Self::Plain(plain) if plain.edges > 0.0)
+    /// Opacity of the edges of a triangle at a sample.
+    pub(crate) fn line(&self, surface: &Surface<'_>, view: &View, triangle: usize, sample: [f64; 2]) -> f32 {
+        match self {
+            Self::Plain(plain) if plain.edges > 0.0 => {
+                plain.line(&sides(surface.corners(triangle)), view.ray(sample), view.scale)
+            }
+            _ => 0.0,
+        }
     }
 
     /// Returns opacity at a sample, to be compared with the cutoff of a mask.
@@ -117,15 +122,12 @@ impl<'a> Plain<'a> {
         let normal = smooth.map_or(facing, |normal| view.turned(to_f64(normal.into())));
         // Both sides of a surface are lit: normals that face away are flipped.
         let normal = if normal.dot(facing) < 0.0 { -normal } else { normal };
-        let lit = color.lerp(lit(color, normal, -ray.as_vec3().normalize_or_zero()), self.light);
-        (lit * (1.0 - self.line(&sides, ray, view.scale))).extend(1.0).to_array()
+        let to_eye = -ray.as_vec3().normalize_or_zero();
+        color.lerp(lit(color, normal, to_eye), self.light).extend(1.0).to_array()
     }
 
     /// Opacity of the edges of a triangle where a ray meets it, measured like a GPU's `fwidth`.
     fn line(&self, sides: &[DVec3; 3], ray: DVec3, scale: f64) -> f32 {
-        if self.edges == 0.0 {
-            return 0.0;
-        }
         let distances = sides.map(|side| scale * side.dot(ray).abs() / (side.x.abs() + side.y.abs()));
         let samples = distances.into_iter().fold(f64::INFINITY, f64::min) as f32;
         // Lines are as wide as on a GPU, which downsamples by 2.

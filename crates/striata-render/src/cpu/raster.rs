@@ -3,7 +3,7 @@
 //! A band of the picture is drawn in three passes. First, opaque triangles leave their depth and their
 //! number at each sample, with [`DOWNSAMPLING`] by [`DOWNSAMPLING`] samples per pixel. Then, each triangle is
 //! shaded once for all of its samples in a pixel, at their mean position: textures are filtered for pixels,
-//! so more would not be visible. Only pictures with edges shade every sample. Last, transparent triangles are
+//! so more would not be visible. Edges are drawn at every sample. Last, transparent triangles are
 //! blended over the samples from back to front. Bands are drawn in parallel. Colors, lights and edges match
 //! those of `gpu`. Time O(samples covered + bands triangles).
 
@@ -168,16 +168,19 @@ impl Picture<'_> {
             [DOWNSAMPLING * column + i % DOWNSAMPLING, DOWNSAMPLING * row + i / DOWNSAMPLING]
         });
         let number = samples.map(|[x, y]| numbers[y * width + x]);
-        let is_single = self.finish.has_details();
         for first in 0..number.len() {
-            if number[first] == NONE || (!is_single && number[..first].contains(&number[first])) {
+            if number[first] == NONE || number[..first].contains(&number[first]) {
                 continue;
             }
-            let end = if is_single { first + 1 } else { number.len() };
-            let same = || (first..end).filter(|&i| number[i] == number[first]);
-            let middle = mean(same().map(|i| samples[i]), band.rows.start);
-            let color = self.finish.shade(&self.surface, &self.view, number[first] as usize, middle);
-            same().for_each(|i| band.canvas.row_mut(samples[i][1])[samples[i][0]] = color);
+            let (triangle, start) = (number[first] as usize, band.rows.start);
+            let same = || (first..number.len()).filter(|&i| number[i] == number[first]);
+            let middle = mean(same().map(|i| samples[i]), start);
+            let [r, g, b, a] = self.finish.shade(&self.surface, &self.view, triangle, middle);
+            for [x, y] in same().map(|i| samples[i]) {
+                let sample = [x as f64 + 0.5, (y + start) as f64 + 0.5];
+                let light = 1.0 - self.finish.line(&self.surface, &self.view, triangle, sample);
+                band.canvas.row_mut(y)[x] = [light * r, light * g, light * b, a];
+            }
         }
     }
 
