@@ -55,7 +55,7 @@ pub use levels::ShownPages;
 pub use metadata::{Metadata, PageId, PagedGrid, PagedGroup, PagedImage, PagedLayer};
 pub use page::{Import, Page};
 pub use paged_file::{PagedFile, ReadStatistics};
-pub use paged_view::ViewCut;
+pub use paged_view::{ViewCut, leaving};
 pub use reader::{PagedReader, StoredPlace, Want};
 pub use store::{FileStore, Store, open_store};
 pub use supplied_store::SuppliedStore;

@@ -13,6 +13,10 @@ const SEARCH_STEPS: usize = 8;
 /// Share of the allowed triangles from which a level is accepted.
 const GOOD_SHARE: f64 = 0.97;
 
+/// Error that a passing level leaves for a factor of 65, as a share of the coarsest level's; for smaller factors it falls
+/// with a power of 1.5, which spreads the pages of a view from within evenly over the usual factors.
+const PASSING_SHARE: f32 = 1.0 / 8.0;
+
 /// A level for a view.
 #[derive(Clone, Debug)]
 pub struct ViewCut {
@@ -40,6 +44,19 @@ impl PagedReader {
         let others = self.entries().filter(|(index, _)| pages.binary_search(index).is_err());
         others.map(|(_, entry)| entry.error).chain(self.unread_errors()).fold(0.0, f32::max)
     }
+
+    /// Error that a level leaves everywhere while pages of finer ones are on their way, in mesh units; `factor` is
+    /// that by which its tolerance is relaxed. Around the eye no tolerance leaves any error, and most pages of a view
+    /// from within are there.
+    pub fn passing_error(&self, factor: f32) -> f32 {
+        let share = (factor - 1.0).max(0.0) / 64.0;
+        PASSING_SHARE * share * share.sqrt() * self.error_without(&[0])
+    }
+}
+
+/// A criterion that refines what another one does, except for parts with errors of up to `error`.
+pub fn leaving<C: Criterion>(criterion: C, error: f32) -> impl Fn(&Part) -> f32 {
+    move |part| if part.error > error { criterion.weigh(part).weight } else { 0.0 }
 }
 
 impl PagedFile {

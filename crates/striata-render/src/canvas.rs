@@ -17,6 +17,15 @@ pub struct Canvas {
     pixels: Vec<Rgba>,
 }
 
+/// A drawn picture. Pixels not covered by the model are transparent.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    /// The picture.
+    pub canvas: Canvas,
+    /// Time to draw one frame, not counting setup, seconds.
+    pub secs: f64,
+}
+
 impl Canvas {
     /// Creates a canvas of one color.
     pub fn filled(width: usize, height: usize, color: Rgba) -> Self {
@@ -108,7 +117,8 @@ impl Canvas {
     }
 }
 
-fn over(above: Rgba, below: Rgba) -> Rgba {
+/// Blends a pixel over another.
+pub(crate) fn over(above: Rgba, below: Rgba) -> Rgba {
     std::array::from_fn(|k| above[k] + (1.0 - above[3]) * below[k])
 }
 

@@ -30,9 +30,7 @@ const MODULES: [(&str, &str); 2] =
 /// # Errors
 /// If the embedded viewer is incomplete.
 pub fn self_contained(model: Option<(&str, &[u8])>) -> Result<String, Failure> {
-    let names: Vec<String> = ViewerFiles::iter().map(|name| name.into_owned()).collect();
-    let read = |name: &str| ViewerFiles::get(name).map(|file| file.data.into_owned());
-    Files { names, read: &read }.assemble(model, &MODULES)
+    with_modules(model, &MODULES)
 }
 
 /// Returns the viewer as a single page that shows a stream. It lacks the module that reads other files, which
@@ -41,9 +39,13 @@ pub fn self_contained(model: Option<(&str, &[u8])>) -> Result<String, Failure> {
 /// # Errors
 /// If the embedded viewer is incomplete.
 pub fn for_stream(name: &str, stream: &[u8]) -> Result<String, Failure> {
+    with_modules(Some((name, stream)), &MODULES[..1])
+}
+
+fn with_modules(model: Option<(&str, &[u8])>, modules: &[(&str, &str)]) -> Result<String, Failure> {
     let names: Vec<String> = ViewerFiles::iter().map(|name| name.into_owned()).collect();
     let read = |name: &str| ViewerFiles::get(name).map(|file| file.data.into_owned());
-    Files { names, read: &read }.assemble(Some((name, stream)), &MODULES[..1])
+    Files { names, read: &read }.assemble(model, modules)
 }
 
 /// Files of a page, whose names contain hashes.

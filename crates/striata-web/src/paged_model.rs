@@ -7,7 +7,8 @@
 use striata::mesh::{Bounds, IndexedMesh};
 use striata::view::{Criterion, DetailBox};
 use striata_paged::{
-    HeadDefect, PagedCut, PagedError, PagedFile, StoredPlace, SuppliedStore, Want, image_path, page_path,
+    HeadDefect, PagedCut, PagedError, PagedFile, StoredPlace, SuppliedStore, Want, image_path, leaving,
+    page_path,
 };
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -124,7 +125,8 @@ impl PagedModel {
         })
     }
 
-    /// Refines for a view, with its tolerance multiplied by `factor`.
+    /// Refines for a view, with its tolerance multiplied by `factor`. Factors above 1 also leave small errors
+    /// around the eye, which no tolerance allows and which are in most of the pages of a view from within.
     ///
     /// # Errors
     /// If pages contradict each other, or the camera sees nothing.
@@ -132,7 +134,10 @@ impl PagedModel {
         let criterion = view.criterion()?.relaxed(factor);
         let limit = view.triangle_limit as usize;
         self.show(|file| match limit {
-            0 => level_for(file, 1.0, |factor| criterion.clone().relaxed(factor)),
+            0 => {
+                let left = file.reader().passing_error(factor);
+                level_for(file, 1.0, |factor| leaving(criterion.clone().relaxed(factor), left))
+            }
             limit => Ok(file.level_for_view(&criterion, Some(limit))?.cut),
         })
     }

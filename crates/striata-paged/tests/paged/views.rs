@@ -3,7 +3,7 @@
 use striata::mesh::Random;
 use striata::view::{Camera, Criterion, DetailBox, ScreenError};
 use striata_paged::build::BuildInput;
-use striata_paged::{CutPages, Page, PagedFile, assemble};
+use striata_paged::{CutPages, Page, PagedFile, assemble, leaving};
 use tempfile::TempDir;
 
 use crate::reference_cut::{reference_cut, soup_of};
@@ -124,4 +124,30 @@ fn views_read_what_they_show_and_respect_limits() {
     }
     let tiny = open(&path).level_for_view(&criterion, Some(1)).unwrap();
     assert!(!tiny.is_within_limit);
+}
+
+#[test]
+fn passing_levels_of_a_view_from_within_need_few_pages_at_first() {
+    let folder = TempDir::new().unwrap();
+    let path = build(&folder, BuildInput::Terrain(400), options(), 2);
+    let pages_read = |leaves_errors: bool| {
+        let mut file = open(&path);
+        let (min, max) = (file.metadata().min, file.metadata().max);
+        let at = |shares: [f32; 3]| [0, 1, 2].map(|a| min[a] + shares[a] * (max[a] - min[a]));
+        let (eye, target) = (at([0.5, 0.5, 1.0]), at([0.6, 0.5, 0.5]));
+        let camera = Camera::new(eye, target, [0.0, 0.0, 1.0], 0.4, [1920, 1080]);
+        let criterion = ScreenError::new(camera.unwrap(), 1.0);
+        let counts = [64.0, 16.0, 4.0, 2.0, 1.0].map(|factor| {
+            let left = if leaves_errors { file.reader().passing_error(factor) } else { 0.0 };
+            let level = file.level_for(&leaving(criterion.clone().relaxed(factor), left)).unwrap();
+            (file.statistics().page_count, level.mesh.triangle_count())
+        });
+        let whole = file.level_for(&criterion).unwrap();
+        assert_eq!(counts[4].1, whole.mesh.triangle_count(), "the last level leaves no errors");
+        counts
+    };
+    let (passing, relaxed) = (pages_read(true), pages_read(false));
+    assert!(passing.is_sorted() && passing[4] == relaxed[4] && passing[4].0 > 20, "{passing:?}");
+    let is_half = |at: usize| 2 * passing[at].0 <= relaxed[at].0;
+    assert!(is_half(0) && is_half(1), "{passing:?} and {relaxed:?}");
 }

@@ -129,7 +129,7 @@ fn one_line(error: &wgpu::Error) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gpu::gpu_options::GpuOptions;
+    use crate::gpu::adapters::GpuOptions;
 
     fn on_processor() -> Gpu {
         let found = Gpu::new(&GpuOptions { is_fallback: true, ..GpuOptions::default() });

@@ -69,7 +69,7 @@ impl Drawing<'_> {
             }
             Drawing::MultiStrips { draws, .. } => {
                 if draws.command_count() > 0 {
-                    pass.multi_draw_indexed_indirect(&draws.commands, 0, draws.command_count());
+                    pass.multi_draw_indexed_indirect(draws.commands(), 0, draws.command_count());
                 }
             }
             Drawing::Extracted { commands, command_count, .. } => {

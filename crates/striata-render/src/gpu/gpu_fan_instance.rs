@@ -12,7 +12,7 @@ use crate::gpu::drawing::Drawing;
 use crate::gpu::fan_extractor::{Bindings, FanExtractor};
 use crate::gpu::gpu_error::GpuError;
 use crate::gpu::gpu_fans::GpuFans;
-use crate::gpu::indices::COMMAND_BYTES;
+use crate::gpu::indices::COMMAND_WORDS;
 
 /// Runs of changed words with fewer unchanged words than this between them are uploaded as one range, since
 /// a write has a fixed cost of about this many words.
@@ -47,7 +47,7 @@ impl GpuFanInstance {
         let arcs = words("fan arcs", table.fan_count, BufferUsages::empty())?;
         let sums = words("fan block sums", table.block_count as usize + 1, BufferUsages::empty())?;
         let indices = words("fan indices", capacity, BufferUsages::INDEX | read)?;
-        let command_words = COMMAND_BYTES as usize / 4 * table.group_count.max(1) as usize;
+        let command_words = COMMAND_WORDS * table.group_count.max(1) as usize;
         let commands = words("fan draws", command_words, BufferUsages::INDIRECT | read)?;
         let bindings =
             Bindings { bits: &bits, arcs: &arcs, sums: &sums, indices: &indices, commands: &commands };
@@ -114,7 +114,7 @@ impl GpuFanInstance {
             return Ok(out);
         }
         let commands: Vec<u32> = copy_back(gpu, &self.commands)?;
-        let (commands, _) = commands.as_chunks::<5>();
+        let (commands, _) = commands.as_chunks::<COMMAND_WORDS>();
         out.group_ranges = commands.iter().map(|&[count, _, first, ..]| first..first + count).collect();
         out.indices = copy_back(gpu, &self.indices)?;
         out.indices.truncate(out.group_ranges.last().map_or(0, |range| range.end as usize));
@@ -145,7 +145,7 @@ fn changed_ranges(uploaded_words: &[u64], words: &[u64]) -> Vec<Range<usize>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gpu::gpu_options::GpuOptions;
+    use crate::gpu::adapters::GpuOptions;
     use striata::mesh::shapes;
     use striata::model::{FanForm, Fans};
     use striata::simplify::build_sequence;

@@ -36,8 +36,8 @@ impl GpuIndices {
     /// [`GpuError::TooLarge`] if it exceeds the device's limit.
     pub fn new(gpu: &Gpu, capacity: usize) -> Result<Self, GpuError> {
         // Storage as well: an inspection reads triangles from it, and compute shaders write it.
-        let usage =
-            BufferUsages::INDEX | BufferUsages::STORAGE | BufferUsages::COPY_DST | BufferUsages::COPY_SRC;
+        let read = BufferUsages::INDEX | BufferUsages::STORAGE | BufferUsages::INDIRECT;
+        let usage = read | BufferUsages::COPY_DST | BufferUsages::COPY_SRC;
         let buffer = gpu.empty_buffer("indices", 4 * capacity as u64, usage)?;
         Ok(Self { buffer, capacity, uploaded_bytes: 0 })
     }
@@ -127,14 +127,13 @@ impl GpuIndices {
 /// Indirect indexed draws, one per strip, so that no restart index is needed.
 #[derive(Debug)]
 pub struct GpuMultiDraw {
-    pub(crate) commands: Buffer,
-    capacity: usize,
+    /// Index count, instance count, first index, base vertex and first instance of each draw.
+    words: GpuIndices,
     command_count: u32,
-    uploaded_bytes: u64,
 }
 
-/// Size of one indirect indexed draw command, bytes.
-pub(crate) const COMMAND_BYTES: u64 = 20;
+/// Words of one indirect indexed draw command.
+pub(crate) const COMMAND_WORDS: usize = 5;
 
 impl GpuMultiDraw {
     /// Creates a buffer with room for `capacity` draws.
@@ -142,9 +141,7 @@ impl GpuMultiDraw {
     /// # Errors
     /// [`GpuError::TooLarge`] if it exceeds the device's limit.
     pub fn new(gpu: &Gpu, capacity: usize) -> Result<Self, GpuError> {
-        let usage = BufferUsages::INDIRECT | BufferUsages::STORAGE | BufferUsages::COPY_DST;
-        let commands = gpu.empty_buffer("draws", COMMAND_BYTES * capacity as u64, usage)?;
-        Ok(Self { commands, capacity, command_count: 0, uploaded_bytes: 0 })
+        Ok(Self { words: GpuIndices::new(gpu, COMMAND_WORDS * capacity)?, command_count: 0 })
     }
 
     /// Writes one draw for each non-empty range of an index buffer.
@@ -152,20 +149,15 @@ impl GpuMultiDraw {
     /// # Errors
     /// [`GpuError::TooLarge`] if it would have to grow beyond the device's limit.
     pub fn write(&mut self, gpu: &Gpu, ranges: impl Iterator<Item = Range<u32>>) -> Result<(), GpuError> {
-        // Index count, instance count, first index, base vertex, first instance.
-        let commands: Vec<[u32; 5]> =
+        let commands: Vec<[u32; COMMAND_WORDS]> =
             ranges.filter(|r| !r.is_empty()).map(|r| [r.end - r.start, 1, r.start, 0, 0]).collect();
-        if commands.len() > self.capacity {
-            let uploaded_bytes = self.uploaded_bytes;
-            *self = Self::new(gpu, commands.len() + commands.len() / 2)?;
-            self.uploaded_bytes = uploaded_bytes;
-        }
         self.command_count = commands.len() as u32;
-        if !commands.is_empty() {
-            gpu.queue.write_buffer(&self.commands, 0, cast_slice(&commands));
-            self.uploaded_bytes += COMMAND_BYTES * commands.len() as u64;
-        }
-        Ok(())
+        self.words.write(gpu, commands.as_flattened())
+    }
+
+    /// The buffer of the draws.
+    pub(crate) fn commands(&self) -> &Buffer {
+        &self.words.buffer
     }
 
     /// Number of draws written last.
@@ -175,7 +167,7 @@ impl GpuMultiDraw {
 
     /// Bytes uploaded so far.
     pub fn uploaded_bytes(&self) -> u64 {
-        self.uploaded_bytes
+        self.words.uploaded_bytes
     }
 }
 

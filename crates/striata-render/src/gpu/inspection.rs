@@ -6,7 +6,8 @@ use wgpu::{BindGroup, BufferUsages, RenderPass};
 use crate::gpu::device::Gpu;
 use crate::gpu::gpu_error::GpuError;
 use crate::gpu::indices::GpuIndices;
-use crate::gpu::painter::{Painter, Scene, bind};
+use crate::gpu::painter::{Painter, Scene};
+use crate::gpu::pipelines::bind;
 use crate::gpu::vertices::GpuVertices;
 
 /// A level as individual triangles, colored for example by strip or fan, with their edges.
@@ -38,8 +39,8 @@ impl Inspection {
         assert_eq!(colors.len(), triangles.len(), "one color per triangle is required");
         let indices = GpuIndices::upload(gpu, cast_slice(triangles))?;
         let colors = gpu.buffer_of("triangle colors", cast_slice(colors), BufferUsages::STORAGE)?;
-        let buffers = [&vertices.positions, &vertices.normals, &vertices.colors, &indices.buffer, &colors];
-        let bindings = bind(gpu, &painter.triangles_layout, &buffers);
+        let buffers = [vertices.buffer(0), vertices.buffer(1), vertices.buffer(2), &indices.buffer, &colors];
+        let bindings = bind(gpu, &painter.triangles_layout, buffers.map(wgpu::Buffer::as_entire_binding));
         Ok(Self { bindings, triangle_count: triangles.len() as u32 })
     }
 

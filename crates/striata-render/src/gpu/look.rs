@@ -1,14 +1,6 @@
-//! Appearance of a surface: shading, colors and edges.
+//! Appearance of a surface without materials: colors and edges.
 
-/// Source of the normals used for lighting.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Shading {
-    /// Vertex normals, interpolated over each triangle.
-    #[default]
-    Smooth,
-    /// One normal per triangle.
-    Flat,
-}
+use crate::shot::STONE;
 
 /// Appearance of a surface. Colors are linear light, 0 to 1 per channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,8 +9,6 @@ pub struct Look {
     pub base: [f32; 3],
     /// Background color and opacity.
     pub background: [f32; 4],
-    /// Source of the normals. Default: the vertices.
-    pub shading: Shading,
     /// Whether to color each group of triangles differently. Default: false.
     pub shows_groups: bool,
     /// Edge color and opacity; opacity 0 draws none. Only an [`Inspection`](crate::gpu::Inspection) draws edges.
@@ -34,9 +24,8 @@ pub struct Look {
 impl Default for Look {
     fn default() -> Self {
         Self {
-            base: [0.72, 0.58, 0.44],
+            base: STONE,
             background: [0.012, 0.013, 0.017, 1.0],
-            shading: Shading::Smooth,
             shows_groups: false,
             edges: [0.0, 0.0, 0.0, 0.0],
             edge_width_px: 1.0,

@@ -6,7 +6,7 @@
 //! [`Shot`](crate::Shot)s with all of it.
 //! [`Inspection`] draws individual triangles, colored by strip or fan, with their edges.
 //!
-//! [`LitPainter`] draws scenes with their materials instead of one look: metallic-roughness materials as in
+//! A [`LitFrame`] shows the same vertices with materials instead of one look: metallic-roughness materials as in
 //! glTF, with textures, under an [`Environment`](crate::Environment) and punctual lights. The readme has an example.
 //!
 //! Positions are stored relative to the middle of the bounds, so that a mesh far from the origin keeps its
@@ -17,9 +17,9 @@
 //! Every wgpu backend works, including OpenGL and CPU adapters. [`Gpu::new`] draws a small test triangle on
 //! each adapter before it accepts one, and reports why each other adapter was rejected.
 //!
-//! In reading order: `gpu_error`, `gpu_options`, `device` and `adapters` find the device; `copy_back`,
+//! In reading order: `gpu_error`, `device` and `adapters` find the device; `copy_back`,
 //! `vertices`, `indices`, `drawing` and `gpu_lod_strips` contain what is drawn; `projection`, `look`,
-//! `painter` and `inspection` draw it; `lit` draws it with materials; `look_painter` and `renderer` draw shots; `canvas` and
+//! `painter` and `inspection` draw it; `lit` draws it with materials; `renderer` draws shots; `canvas` and
 //! `frame_clock` are the target and the timing; `gpu_fan_words`, `gpu_fans`, `fan_extractor` and
 //! `gpu_fan_instance` extract triangles from fans; `probe` tries all of it on an adapter except `lit`.
 //!
@@ -69,12 +69,10 @@ mod gpu_fan_instance;
 mod gpu_fan_words;
 mod gpu_fans;
 mod gpu_lod_strips;
-mod gpu_options;
 mod indices;
 mod inspection;
 mod lit;
 mod look;
-mod look_painter;
 mod painter;
 mod pipelines;
 mod probe;
@@ -82,7 +80,7 @@ mod projection;
 mod renderer;
 mod vertices;
 
-pub use adapters::{ChosenAdapter, choose_adapter};
+pub use adapters::{ChosenAdapter, GpuOptions, choose_adapter};
 pub use canvas::{Canvas, Picture};
 pub use device::Gpu;
 pub use drawing::Drawing;
@@ -92,11 +90,10 @@ pub use gpu_error::{GpuError, RejectedAdapter};
 pub use gpu_fan_instance::GpuFanInstance;
 pub use gpu_fans::GpuFans;
 pub use gpu_lod_strips::GpuLodStrips;
-pub use gpu_options::GpuOptions;
 pub use indices::{GpuIndices, GpuMultiDraw};
 pub use inspection::Inspection;
-pub use lit::{LitFrame, LitMaterials, LitObject, LitPainter, LitPart, LitScene, LitVertices};
-pub use look::{Look, Shading, palette_color};
+pub use lit::{LitFrame, LitMaterials, LitObject, LitPart, LitScene};
+pub use look::{Look, palette_color};
 pub use painter::{Painter, Scene};
 pub use renderer::GpuRenderer;
 pub use vertices::GpuVertices;

@@ -1,12 +1,14 @@
 //! Render pipelines into a canvas, and the layouts of what their shaders read.
 
 use wgpu::{
-    BindGroupLayout, BindGroupLayoutEntry, BindingType, BlendState, BufferBindingType, CompareFunction, Face,
-    IndexFormat, PipelineLayout, PrimitiveTopology, RenderPipeline, SamplerBindingType, ShaderModule,
-    ShaderStages, TextureFormat, TextureSampleType, TextureViewDimension, VertexBufferLayout,
+    BindGroup, BindGroupLayout, BindGroupLayoutEntry, BindingResource, BindingType, BlendState,
+    BufferBindingType, CompareFunction, Face, IndexFormat, PipelineLayout, PrimitiveTopology, RenderPipeline,
+    SamplerBindingType, ShaderModule, ShaderStages, TextureFormat, TextureSampleType, TextureViewDimension,
+    VertexAttribute, VertexBufferLayout, VertexStepMode, vertex_attr_array,
 };
 
 use crate::gpu::device::Gpu;
+use crate::gpu::vertices::BUFFER_COUNT;
 
 /// Color format of all pipelines.
 pub(crate) const COLOR_FORMAT: TextureFormat = TextureFormat::Rgba8UnormSrgb;
@@ -23,22 +25,26 @@ pub(crate) struct Program {
 }
 
 /// One way to draw with a program.
+#[derive(Clone, Copy, Default)]
 pub(crate) struct Variant<'a> {
     pub is_strips: bool,
-    pub cull_mode: Option<Face>,
+    /// The sides that are not drawn.
+    pub culled: Option<Face>,
     /// Whether surfaces are blended over what is behind them.
     pub is_blended: bool,
-    pub buffers: &'a [Option<VertexBufferLayout<'a>>],
-    /// Samples per pixel.
-    pub samples: u32,
+    /// Whether the mesh has each of the attributes that the program reads.
+    pub present: &'a [bool],
 }
 
-impl Variant<'_> {
-    /// Opaque triangles without vertex buffers, seen from both sides.
-    pub(crate) fn new(samples: u32) -> Self {
-        Self { is_strips: false, cull_mode: None, is_blended: false, buffers: &[], samples }
-    }
-}
+/// Size of a vertex in each vertex buffer, bytes, and its attribute.
+const ATTRIBUTES: [(u64, &[VertexAttribute]); BUFFER_COUNT] = [
+    (12, &vertex_attr_array![0 => Float32x3]),
+    (12, &vertex_attr_array![1 => Float32x3]),
+    (8, &vertex_attr_array![2 => Float16x4]),
+    (16, &vertex_attr_array![3 => Float32x4]),
+    (8, &vertex_attr_array![4 => Float32x2]),
+    (8, &vertex_attr_array![5 => Float32x2]),
+];
 
 impl Program {
     pub(crate) fn new(gpu: &Gpu, label: &'static str, code: &str, groups: &[&BindGroupLayout]) -> Self {
@@ -54,7 +60,14 @@ impl Program {
         Self { label, module, layout }
     }
 
-    pub(crate) fn pipeline(&self, gpu: &Gpu, variant: &Variant<'_>) -> RenderPipeline {
+    /// Creates a pipeline for a number of samples per pixel.
+    pub(crate) fn pipeline(&self, gpu: &Gpu, samples: u32, variant: &Variant<'_>) -> RenderPipeline {
+        let buffer = |(&(array_stride, attributes), &is_present)| {
+            // All vertices share one value of an attribute that the mesh lacks.
+            let step_mode = if is_present { VertexStepMode::Vertex } else { VertexStepMode::Instance };
+            Some(VertexBufferLayout { array_stride, step_mode, attributes })
+        };
+        let buffers: Vec<_> = ATTRIBUTES.iter().zip(variant.present).map(buffer).collect();
         let (topology, strip_index_format) = if variant.is_strips {
             (PrimitiveTopology::TriangleStrip, Some(IndexFormat::Uint32))
         } else {
@@ -70,12 +83,12 @@ impl Program {
                 module: &self.module,
                 entry_point: Some("vertex"),
                 compilation_options: Default::default(),
-                buffers: variant.buffers,
+                buffers: &buffers,
             },
             primitive: wgpu::PrimitiveState {
                 topology,
                 strip_index_format,
-                cull_mode: variant.cull_mode,
+                cull_mode: variant.culled,
                 ..Default::default()
             },
             depth_stencil: Some(wgpu::DepthStencilState {
@@ -85,7 +98,7 @@ impl Program {
                 stencil: Default::default(),
                 bias: Default::default(),
             }),
-            multisample: wgpu::MultisampleState { count: variant.samples, ..Default::default() },
+            multisample: wgpu::MultisampleState { count: samples, ..Default::default() },
             fragment: Some(wgpu::FragmentState {
                 module: &self.module,
                 entry_point: Some("fragment"),
@@ -100,6 +113,17 @@ impl Program {
             cache: None,
         })
     }
+}
+
+/// Creates a group of bindings, in order.
+pub(crate) fn bind<'a>(
+    gpu: &Gpu,
+    layout: &BindGroupLayout,
+    resources: impl IntoIterator<Item = BindingResource<'a>>,
+) -> BindGroup {
+    let entries: Vec<wgpu::BindGroupEntry<'_>> =
+        (0..).zip(resources).map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource }).collect();
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor { label: None, layout, entries: &entries })
 }
 
 /// Layout of a group of bindings, in order.

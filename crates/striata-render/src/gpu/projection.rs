@@ -7,7 +7,8 @@ use crate::camera::Camera;
 impl Camera {
     /// Matrix from coordinates relative to `origin` to wgpu's clip space, with reversed depth: the near plane is
     /// at 1, and what is infinitely far is at 0.
-    pub(crate) fn clip_from(&self, origin: DVec3, near: f64, aspect: f64) -> Mat4 {
+    pub(crate) fn clip_from(&self, origin: DVec3, near: f64, [width, height]: [u32; 2]) -> Mat4 {
+        let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
         let [right, up, back] = self.axes();
         let eye = self.eye_64() - origin;
         let high = 1.0 / (f64::from(self.fov).clamp(1e-4, 3.1) / 2.0).tan();
@@ -33,7 +34,8 @@ mod tests {
             let bounds = Bounds { min: [-scale, 2.0 * scale, 0.0], max: [scale, 5.0 * scale, scale] };
             let camera = Camera::portrait(&bounds, -0.6, 0.1, 0.5);
             let origin = camera.look_at;
-            let matrix = camera.clip_from(DVec3::from(origin.map(f64::from)), 1e-3 * f64::from(scale), 1.0);
+            let matrix =
+                camera.clip_from(DVec3::from(origin.map(f64::from)), 1e-3 * f64::from(scale), [1, 1]);
             for corner in 0..8 {
                 let point: [f32; 3] = std::array::from_fn(|k| {
                     (if corner >> k & 1 == 0 { bounds.min[k] } else { bounds.max[k] }) - origin[k]
@@ -49,7 +51,7 @@ mod tests {
     #[test]
     fn right_of_the_eye_is_right_on_the_screen() {
         let camera = Camera { eye: [0.0, 0.0, 5.0], look_at: [0.0; 3], up: [0.0, 1.0, 0.0], fov: 0.8 };
-        let clip = camera.clip_from(DVec3::ZERO, 1.0, 1.5) * Vec3::new(0.5, 0.25, 0.0).extend(1.0);
+        let clip = camera.clip_from(DVec3::ZERO, 1.0, [3, 2]) * Vec3::new(0.5, 0.25, 0.0).extend(1.0);
         assert!(clip.x > 0.0 && clip.y > 0.0 && clip.w > 0.0);
         assert_eq!(camera.axes()[0], DVec3::X);
     }

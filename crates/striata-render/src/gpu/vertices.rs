@@ -1,25 +1,31 @@
-//! Vertex buffers: uploaded once, used by every level.
+//! Vertex buffers: uploaded once, used by every level and by every painter.
 
 use bytemuck::cast_slice;
-use striata::mesh::{IndexedMesh, Semantic};
+use half::f16;
+use striata::mesh::{Bounds, IndexedMesh, Semantic};
 use wgpu::{Buffer, BufferUsages};
 
+use crate::camera::{Camera, to_f64};
 use crate::gpu::device::Gpu;
 use crate::gpu::gpu_error::GpuError;
-use crate::normals::vertex_normals;
-use crate::srgb::to_srgb;
 
-/// Positions, normals and colors of a mesh on the GPU.
+/// Number of vertex buffers: position, normal, color, tangent, and two sets of texture coordinates.
+pub(crate) const BUFFER_COUNT: usize = 6;
+
+/// The buffers that every mesh has: position, normal and color.
+pub(crate) const PLAIN_COUNT: usize = 3;
+
+/// Vertices of a mesh on the GPU.
 ///
 /// Positions are stored relative to the center of the bounds ([`origin`](Self::origin)), so that a mesh far
-/// from zero keeps its shape in 32 bits. Normals come from the mesh or are computed from its triangles,
-/// weighted by area; they serve every level, since vertices never move. Takes 28 bytes per vertex.
+/// from zero keeps its shape in 32 bits. Surfaces without normals are flat. A vertex takes 32 bytes, and more if
+/// it has a tangent (16) or texture coordinates (8 each).
 #[derive(Debug)]
 pub struct GpuVertices {
-    pub(crate) positions: Buffer,
-    pub(crate) normals: Buffer,
-    /// sRGB bytes.
-    pub(crate) colors: Buffer,
+    /// [`None`] for attributes that the mesh lacks; never for the first three.
+    buffers: [Option<Buffer>; BUFFER_COUNT],
+    /// Zeros, for attributes that the mesh lacks.
+    absent: Buffer,
     has_colors: bool,
     origin: [f32; 3],
     radius: f32,
@@ -29,37 +35,84 @@ pub struct GpuVertices {
 impl GpuVertices {
     /// Uploads the vertices of a mesh.
     ///
+    /// Layers that are used: normal, tangent, texture coordinates 0 and 1, and color 0.
+    ///
     /// # Errors
-    /// [`GpuError::TooLarge`] if a buffer exceeds the device's limit.
+    /// [`GpuError::Mesh`] if the mesh is inconsistent, [`GpuError::TooLarge`] if a buffer exceeds the device's
+    /// limit.
     pub fn upload(gpu: &Gpu, mesh: &IndexedMesh) -> Result<Self, GpuError> {
-        let bounds = mesh.bounds();
-        let origin = bounds.map_or([0.0; 3], |b| std::array::from_fn(|k| (b.min[k] + b.max[k]) / 2.0));
-        let positions: Vec<[f32; 3]> =
-            mesh.positions.iter().map(|p| std::array::from_fn(|k| p[k] - origin[k])).collect();
-        let colors = vertex_colors(mesh);
-        let usage = BufferUsages::VERTEX | BufferUsages::STORAGE;
-        let white = vec![[255u8; 4]; if colors.is_some() { 0 } else { mesh.vertex_count() }];
+        Self::with_more(gpu, mesh, &[], false)
+    }
+
+    /// Uploads the vertices of a mesh, without their normals if they are flat, and more positions after them.
+    pub(crate) fn with_more(
+        gpu: &Gpu,
+        mesh: &IndexedMesh,
+        more: &[[f32; 3]],
+        is_flat: bool,
+    ) -> Result<Self, GpuError> {
+        mesh.check()?;
+        let vertex_count = mesh.vertex_count() + more.len();
+        let mut positions = [&mesh.positions[..], more].concat();
+        let bounds = Bounds::of(&positions);
+        let origin = bounds.map_or([0.0; 3], |b| std::array::from_fn(|k| b.min[k] / 2.0 + b.max[k] / 2.0));
+        positions.iter_mut().for_each(|p| *p = std::array::from_fn(|k| p[k] - origin[k]));
+        let normals = floats::<3>(mesh, &Semantic::Normal, vertex_count).filter(|_| !is_flat);
+        // Tangents mean nothing without normals.
+        let tangents = normals.as_ref().and_then(|_| floats::<4>(mesh, &Semantic::Tangent, vertex_count));
+        let with_hand = |[x, y, z, w]: [f32; 4]| [x, y, z, if w < 0.0 { -1.0 } else { 1.0 }];
+        let tangents: Option<Vec<_>> = tangents.map(|all| all.into_iter().map(with_hand).collect());
+        let uv = [0, 1].map(|set| floats::<2>(mesh, &Semantic::TexCoord(set), vertex_count));
+        let colors = mesh.linear_colors();
+        let has_colors = colors.is_some();
+        let mut colors: Vec<_> = colors.into_iter().flatten().map(halves).collect();
+        colors.resize(vertex_count, halves([1.0; 4]));
+        let upload = |label, bytes: Option<&[u8]>| -> Result<Option<Buffer>, GpuError> {
+            let usage = BufferUsages::VERTEX | BufferUsages::STORAGE;
+            bytes.map(|bytes| gpu.buffer_of(label, bytes, usage)).transpose()
+        };
+        let buffers = [
+            upload("positions", Some(cast_slice(&positions)))?,
+            upload("normals", Some(cast_slice(&normals.unwrap_or_else(|| vec![[0.0; 3]; vertex_count]))))?,
+            upload("colors", Some(cast_slice(&colors)))?,
+            upload("tangents", tangents.as_deref().map(cast_slice))?,
+            upload("texture coordinates", uv[0].as_deref().map(cast_slice))?,
+            upload("second texture coordinates", uv[1].as_deref().map(cast_slice))?,
+        ];
         Ok(Self {
-            positions: gpu.buffer_of("positions", cast_slice(&positions), usage)?,
-            normals: gpu.buffer_of("normals", cast_slice(&normals_of(mesh)), usage)?,
-            colors: gpu.buffer_of("colors", cast_slice(colors.as_ref().unwrap_or(&white)), usage)?,
-            has_colors: colors.is_some(),
+            buffers,
+            absent: gpu.buffer_of("absent attributes", &[0; 16], BufferUsages::VERTEX)?,
+            has_colors,
             origin,
             radius: bounds.map_or(1.0, |b| b.diagonal() as f32 / 2.0),
-            vertex_count: mesh.vertex_count(),
+            vertex_count,
         })
     }
 
-    /// Replaces the vertex colors, one per vertex, linear light as bytes; for example to visualize an error.
+    /// Replaces the colors of the first vertices, linear light as bytes; for example to visualize an error.
     ///
     /// # Panics
-    /// If the numbers of colors and vertices differ.
+    /// If there are more colors than vertices.
     pub fn set_colors(&mut self, gpu: &Gpu, colors: &[[u8; 4]]) {
-        assert_eq!(colors.len(), self.vertex_count, "one color per vertex is required");
-        let byte = |light: u8| to_srgb(f32::from(light) / 255.0);
-        let colors: Vec<_> = colors.iter().map(|&[r, g, b, a]| [byte(r), byte(g), byte(b), a]).collect();
-        gpu.queue.write_buffer(&self.colors, 0, cast_slice(&colors));
+        assert!(colors.len() <= self.vertex_count, "more colors than vertices");
+        let colors: Vec<_> = colors.iter().map(|c| halves(c.map(|byte| f32::from(byte) / 255.0))).collect();
+        gpu.queue.write_buffer(self.buffer(2), 0, cast_slice(&colors));
         self.has_colors = true;
+    }
+
+    /// The buffer of an attribute; that of absent ones contains zeros for one vertex.
+    pub(crate) fn buffer(&self, slot: usize) -> &Buffer {
+        self.buffers[slot].as_ref().unwrap_or(&self.absent)
+    }
+
+    /// Whether each buffer has a value for each vertex.
+    pub(crate) fn present(&self) -> [bool; BUFFER_COUNT] {
+        self.buffers.each_ref().map(Option::is_some)
+    }
+
+    /// Distance of the near plane of a camera.
+    pub(crate) fn near_plane(&self, camera: &Camera) -> f64 {
+        camera.near_plane(to_f64(self.origin), f64::from(self.radius))
     }
 
     /// Offset that was subtracted from all positions.
@@ -83,16 +136,17 @@ impl GpuVertices {
     }
 }
 
-/// Returns the mesh's normals, or area-weighted means of its triangles' normals if it has none.
-fn normals_of(mesh: &IndexedMesh) -> Vec<[f32; 3]> {
-    if let Some(layer) = mesh.layer(&Semantic::Normal).filter(|l| l.component_count >= 3) {
-        return (0..mesh.vertex_count()).map(|v| std::array::from_fn(|k| layer.get(v, k))).collect();
-    }
-    vertex_normals(mesh)
+/// A color, linear light, as half floats.
+fn halves(color: [f32; 4]) -> [u16; 4] {
+    color.map(|x| f16::from_f32(x).to_bits())
 }
 
-/// Returns the mesh's colors as sRGB bytes, which keep dark ones apart, if it has any.
-fn vertex_colors(mesh: &IndexedMesh) -> Option<Vec<[u8; 4]>> {
-    let colors = mesh.linear_colors()?.into_iter();
-    Some(colors.map(|[r, g, b, _]| [to_srgb(r), to_srgb(g), to_srgb(b), 255]).collect())
+/// Returns the first N components of a layer, and zeros up to `count`; none if the mesh has no such layer.
+fn floats<const N: usize>(mesh: &IndexedMesh, semantic: &Semantic, count: usize) -> Option<Vec<[f32; N]>> {
+    let layer = mesh.layer(semantic).filter(|layer| usize::from(layer.component_count) >= N)?;
+    let of_mesh = (0..mesh.vertex_count()).map(|v| std::array::from_fn(|k| layer.get(v, k)));
+    let mut all = Vec::with_capacity(count);
+    all.extend(of_mesh);
+    all.resize(count, [0.0; N]);
+    Some(all)
 }

@@ -8,7 +8,7 @@ use crate::support::lit::{
 };
 use glam::{Mat4, Vec3};
 use striata::mesh::{AttributeLayer, ColorSpace, IndexedMesh, LayerData, Semantic};
-use striata_render::gpu::{GpuIndices, LitFrame, LitMaterials, LitObject, LitPart, LitScene, LitVertices};
+use striata_render::gpu::{GpuIndices, GpuVertices, LitFrame, LitMaterials, LitObject, LitPart, LitScene};
 use striata_render::{AlphaMode, Light, LightKind, Material, RgbaImage, Sampler, TextureUse, UvTransform};
 
 #[test]
@@ -229,7 +229,7 @@ fn mistakes_are_errors_that_name_their_place() {
     assert!(error(&test, Shown::new(&mesh)).contains("33 lights"));
     test.lights.clear();
 
-    let vertices = LitVertices::upload(&test.gpu, &mesh).unwrap();
+    let vertices = GpuVertices::upload(&test.gpu, &mesh).unwrap();
     let indices = GpuIndices::upload(&test.gpu, &[0, 1, 2]).unwrap();
     let materials = LitMaterials::upload(&test.gpu, &test.painter, &[], &[]).unwrap();
     let parts = [LitPart { range: 0..6, material: None }];

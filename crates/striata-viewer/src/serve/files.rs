@@ -52,12 +52,7 @@ pub(super) async fn handle(
 
 /// Response for files that do not exist.
 pub(super) fn not_found() -> Response {
-    (
-        StatusCode::NOT_FOUND,
-        "file not found
-",
-    )
-        .into_response()
+    (StatusCode::NOT_FOUND, "file not found\n").into_response()
 }
 
 /// Opens the file that a path names between a prefix and a suffix, on a thread that may block.

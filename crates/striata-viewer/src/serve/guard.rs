@@ -102,12 +102,7 @@ async fn check_host(State(hosts): State<Hosts>, request: Request, next: Next) ->
     let mut named = request.headers().get_all(HOST).iter();
     let (host, others) = (named.next(), named.count());
     let Some(host) = host.and_then(|host| host.to_str().ok()).filter(|_| others == 0) else {
-        return (
-            StatusCode::BAD_REQUEST,
-            "exactly one Host header is required
-",
-        )
-            .into_response();
+        return (StatusCode::BAD_REQUEST, "exactly one Host header is required\n").into_response();
     };
     let target = request.uri().authority().map_or(host, Authority::as_str);
     if !(hosts.includes(host) && hosts.includes(target)) {

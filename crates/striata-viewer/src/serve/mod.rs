@@ -20,7 +20,6 @@ mod kinds;
 mod listing;
 mod options;
 mod server;
-mod server_state;
 mod session;
 mod show_args;
 mod thumbnail;
@@ -46,7 +45,6 @@ use folder::Folder;
 use guard::Hosts;
 use listing::Listing;
 use options::Options;
-use server_state::ServerState;
 use striata_command::failure::Failure;
 use striata_command::output::{Output, format_count};
 use thumbnails::Thumbnails;
@@ -105,42 +103,33 @@ async fn serve(folder: Arc<Folder>, options: &Options, output: &Output) -> Resul
         listener.local_addr().map_err(|error| Failure::user(format!("cannot read the port: {error}")))?;
     let is_local = address.ip().is_loopback();
     let session = options.ends_with_page.then(Arc::default);
-    let server_state = ServerState {
-        listing: Arc::new(Listing::new(folder.clone(), options.ends_with_page)),
-        session: session.clone(),
-        thumbnails: Arc::new(Thumbnails::new()?),
-        assets: Arc::new(Assets::load()),
-        folder,
-    };
-    let models = server_state.listing.current().await.model_count;
-    let url = url_to_open(&server_state.folder, address, &options.parameters);
+    let listing = Arc::new(Listing::new(folder.clone(), options.ends_with_page));
+    let models = listing.current().await.model_count;
+    // Each handler has the part of the state that it needs.
+    let thumbnails = Arc::new(Thumbnails::new(folder.clone())?);
+    let router = Router::new()
+        .route("/models.json", get(listing::handle).with_state(listing))
+        .route("/models/{*path}", get(files::handle).with_state(folder.clone()))
+        .route("/pictures/{*path}", get(thumbnails::handle).with_state(thumbnails))
+        .route("/session", get(session::handle).with_state(session.clone()))
+        .fallback_service(get(assets::handle).with_state(Arc::new(Assets::load())));
+    let hosts = if is_local { Hosts::Loopback(options.proxies.as_slice().into()) } else { Hosts::Any };
+    let router = guard::guarded(router, hosts, options.allows_other_sites);
+    let url = url_to_open(&folder, address, &options.parameters);
     let way_to_stop = if options.ends_with_page {
         "close the page, or press Ctrl-C, to stop"
     } else {
         "press Ctrl-C to stop"
     };
-    warn_of_others(&server_state.folder, address, output);
+    warn_of_others(&folder, address, output);
     output.data(&ServeReport { url: base_url(address), models }, &format!("{url}\n"))?;
-    output.say(&format!("serving {}; {way_to_stop}", described(&server_state.folder, models)));
+    output.say(&format!("serving {}; {way_to_stop}", described(&folder, models)));
     if options.opens_browser && open::that_detached(&url).is_err() {
         output.say(&format!("cannot open a browser; open {url} yourself"));
     }
-    server::run(listener, router(server_state, is_local, options), options, session).await;
+    server::run(listener, router, options, session).await;
     output.say("stopped");
     Ok(())
-}
-
-fn router(server_state: ServerState, is_local: bool, options: &Options) -> Router {
-    let hosts = if is_local { Hosts::Loopback(options.proxies.as_slice().into()) } else { Hosts::Any };
-    let viewer = get(assets::handle).with_state(server_state.clone());
-    let router = Router::new()
-        .route("/models.json", get(listing::handle))
-        .route("/models/{*path}", get(files::handle))
-        .route("/pictures/{*path}", get(thumbnails::handle))
-        .route("/session", get(session::handle))
-        .fallback_service(viewer)
-        .with_state(server_state);
-    guard::guarded(router, hosts, options.allows_other_sites)
 }
 
 /// Raises the limit on open files: each connection may need a socket and a file. If that fails,

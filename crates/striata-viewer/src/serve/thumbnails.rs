@@ -43,6 +43,7 @@ const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 /// The cache of thumbnails.
 #[derive(Debug)]
 pub(super) struct Thumbnails {
+    folder: Arc<Folder>,
     cache: Mutex<LruCache<String, (Stamp, Thumbnail)>>,
     turn: Semaphore,
     /// The program that draws them: this command.
@@ -70,14 +71,14 @@ impl Thumbnails {
     ///
     /// # Errors
     /// If the path of this command is unknown.
-    pub(super) fn new() -> Result<Self, Failure> {
+    pub(super) fn new(folder: Arc<Folder>) -> Result<Self, Failure> {
         let program = std::env::current_exe()
             .map_err(|error| Failure::user(format!("cannot determine the path get this command: {error}")))?;
         let placeholder = placeholder([WIDTH, HEIGHT]).to_png();
         let placeholder =
             placeholder.map_err(|error| Failure::internal(format!("cannot encode a thumbnail: {error}")))?;
         let cache = Mutex::new(LruCache::new(MAX_THUMBNAILS));
-        Ok(Self { cache, turn: Semaphore::new(1), program, placeholder: placeholder.into() })
+        Ok(Self { folder, cache, turn: Semaphore::new(1), program, placeholder: placeholder.into() })
     }
 
     fn cached(&self, name: &str, stamp: Stamp) -> Option<Thumbnail> {
@@ -127,14 +128,13 @@ fn reason_of(message: &str) -> Option<String> {
 
 /// Handles requests for `pictures/PATH.png`.
 pub(super) async fn handle(
-    State(folder): State<Arc<Folder>>,
     State(thumbnails): State<Arc<Thumbnails>>,
     uri: Uri,
     request: HeaderMap,
 ) -> Response {
-    let found = find(&folder, uri.path(), "/pictures/", ".png").await;
+    let found = find(&thumbnails.folder, uri.path(), "/pictures/", ".png").await;
     let Some(found) = found.filter(|found| is_model(&found.name)) else { return not_found() };
-    let path = folder.path().join(&found.name);
+    let path = thumbnails.folder.path().join(&found.name);
     let picture = thumbnails.get(&found.name, found.stamp, &path).await;
     let is_final = picture.is_some();
     let (png, state, reason) = match picture {

@@ -1,22 +1,63 @@
-//! A frame: the draw calls of a scene in order.
+//! A frame: the objects, lights and camera that it shows, and its draw calls in order.
 
-use bytemuck::{Pod, Zeroable, bytes_of};
+use std::ops::Range;
+
+use bytemuck::bytes_of;
 use glam::DVec3;
-use striata_scene::drawn::{AlphaMode, Material};
+use striata_scene::drawn::{AlphaMode, Light, Material};
 use wgpu::{
-    BindGroup, BindGroupEntry, BindingResource, Buffer, BufferUsages, FilterMode, IndexFormat, RenderPass,
+    BindGroup, BindingResource, Buffer, BufferUsages, Face, FilterMode, IndexFormat, RenderPass,
     RenderPipeline, SamplerDescriptor, TextureFormat,
 };
 
+use crate::camera::{Camera, to_f64};
 use crate::environment::Environment;
 use crate::environment_table::{COLUMN_COUNT, EnvironmentTable, ROW_COUNT};
 use crate::gpu::device::Gpu;
 use crate::gpu::gpu_error::GpuError;
+use crate::gpu::indices::GpuIndices;
 use crate::gpu::lit::frame_data::{FrameData, MAX_LIGHT_COUNT};
-use crate::gpu::lit::object::{LitObject, LitPart, LitScene};
-use crate::gpu::lit::painter::{LitPainter, bytes_of_halves, upload_table};
-use crate::gpu::lit::pipeline_key::{PipelineKey, Sides};
-use crate::gpu::lit::vertices::{ABSENT_ONES, ABSENT_ZEROS, BUFFER_COUNT, LitVertices};
+use crate::gpu::lit::materials::LitMaterials;
+use crate::gpu::lit::program::{LitProgram, PipelineKey};
+use crate::gpu::lit::textures::upload_table;
+use crate::gpu::painter::Painter;
+use crate::gpu::pipelines::bind;
+use crate::gpu::vertices::{BUFFER_COUNT, GpuVertices};
+
+/// Triangles that share a material.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct LitPart {
+    /// Range of the indices, three per triangle.
+    pub range: Range<u32>,
+    /// Material; [`None`] is glTF's default material.
+    pub material: Option<usize>,
+}
+
+/// A mesh at some level.
+#[derive(Clone, Copy, Debug)]
+pub struct LitObject<'a> {
+    /// The vertices of all levels.
+    pub vertices: &'a GpuVertices,
+    /// The indices of a level.
+    pub indices: &'a GpuIndices,
+    /// The parts of the level.
+    pub parts: &'a [LitPart],
+}
+
+/// Everything that a frame shows.
+#[derive(Clone, Copy, Debug)]
+pub struct LitScene<'a> {
+    /// The camera.
+    pub camera: &'a Camera,
+    /// Width and height of the picture, pixels.
+    pub size: [u32; 2],
+    /// Lights besides the environment.
+    pub lights: &'a [Light],
+    /// The materials.
+    pub materials: &'a LitMaterials,
+    /// The objects.
+    pub objects: &'a [LitObject<'a>],
+}
 
 /// The draw calls of a scene under an environment.
 #[derive(Debug)]
@@ -25,26 +66,15 @@ pub struct LitFrame {
     draws: Vec<Draw>,
 }
 
-/// Uniform data of an object, laid out as in `vertex.wgsl`.
-#[derive(Clone, Copy, Debug, Pod, Zeroable)]
-#[repr(C)]
-struct ObjectData {
-    /// Position of the mesh's origin relative to the eye.
-    offset: [f32; 4],
-    /// Whether the mesh has normals and tangents.
-    flags: [u32; 4],
-}
-
 /// A draw call with everything that it reads.
 #[derive(Debug)]
 struct Draw {
     pipeline: RenderPipeline,
     material: BindGroup,
     object: BindGroup,
-    /// Each with the byte at which it begins.
-    vertices: [(Buffer, u64); BUFFER_COUNT],
+    vertices: [Buffer; BUFFER_COUNT],
     indices: Buffer,
-    range: std::ops::Range<u32>,
+    range: Range<u32>,
 }
 
 impl LitFrame {
@@ -58,7 +88,7 @@ impl LitFrame {
     /// exist, and [`GpuError::TooManyLights`].
     pub fn new(
         gpu: &Gpu,
-        painter: &LitPainter,
+        painter: &Painter,
         environment: &Environment,
         scene: &LitScene<'_>,
     ) -> Result<Self, GpuError> {
@@ -66,9 +96,12 @@ impl LitFrame {
             let (count, limit) = (scene.lights.len(), MAX_LIGHT_COUNT);
             return Err(GpuError::TooManyLights { count, limit });
         }
-        let data = FrameData::new(scene.camera, scene.size, environment, scene.lights);
-        let bindings = frame_bindings(gpu, painter, environment, bytes_of(&data))?;
-        Ok(Self { bindings, draws: sorted_draws(gpu, painter, scene)? })
+        let near = scene.objects.iter().map(|object| object.vertices.near_plane(scene.camera));
+        let near = near.fold(1e30, f64::min);
+        let data = FrameData::new(scene.camera, scene.size, near, environment, scene.lights);
+        let program = painter.lit(gpu);
+        let bindings = frame_bindings(gpu, program, environment, bytes_of(&data))?;
+        Ok(Self { bindings, draws: sorted_draws(gpu, program, scene)? })
     }
 
     /// Draws the scene: opaque and masked parts first, then blended ones from back to front.
@@ -78,8 +111,8 @@ impl LitFrame {
             pass.set_pipeline(&draw.pipeline);
             pass.set_bind_group(1, &draw.material, &[]);
             pass.set_bind_group(2, &draw.object, &[]);
-            for (slot, (buffer, start)) in (0..).zip(&draw.vertices) {
-                pass.set_vertex_buffer(slot, buffer.slice(*start..));
+            for (slot, buffer) in (0..).zip(&draw.vertices) {
+                pass.set_vertex_buffer(slot, buffer.slice(..));
             }
             pass.set_index_buffer(draw.indices.slice(..), IndexFormat::Uint32);
             pass.draw_indexed(draw.range.clone(), 0, 0..1);
@@ -87,23 +120,23 @@ impl LitFrame {
     }
 }
 
-fn sorted_draws(gpu: &Gpu, painter: &LitPainter, scene: &LitScene<'_>) -> Result<Vec<Draw>, GpuError> {
+fn sorted_draws(gpu: &Gpu, program: &LitProgram, scene: &LitScene<'_>) -> Result<Vec<Draw>, GpuError> {
     let [.., back] = scene.camera.axes();
     let (mut draws, mut blended) = (Vec::new(), Vec::new());
     for object in scene.objects {
-        let center = DVec3::from(object.vertices.origin.map(f64::from)) - scene.camera.eye_64();
-        let bindings = object_bindings(gpu, painter, object, center)?;
+        let center = to_f64(object.vertices.origin()) - scene.camera.eye_64();
+        let bindings = object_bindings(gpu, program, center)?;
         for part in object.parts.iter().filter(|part| !part.range.is_empty()) {
             check_range(object, part)?;
             let entry = scene.materials.entry(part.material)?;
             let is_blended = entry.material.alpha_mode == AlphaMode::Blend;
-            for &sides in passes(&entry.material) {
-                let key = PipelineKey { attributes: object.vertices.attributes(), sides, is_blended };
+            for &culled in passes(&entry.material) {
+                let key = PipelineKey { present: object.vertices.present(), culled, is_blended };
                 let draw = Draw {
-                    pipeline: painter.pipeline(gpu, key),
+                    pipeline: program.pipeline(gpu, key),
                     material: entry.bindings.clone(),
                     object: bindings.clone(),
-                    vertices: vertex_buffers(object.vertices),
+                    vertices: std::array::from_fn(|slot| object.vertices.buffer(slot).clone()),
                     indices: object.indices.buffer().clone(),
                     range: part.range.clone(),
                 };
@@ -122,12 +155,12 @@ fn sorted_draws(gpu: &Gpu, painter: &LitPainter, scene: &LitScene<'_>) -> Result
     Ok(draws)
 }
 
-/// Sides to draw, in order: blended surfaces show what is behind them, their own back faces included.
-fn passes(material: &Material) -> &'static [Sides] {
+/// Sides to leave out in each pass: blended surfaces show what is behind them, their own back faces included.
+fn passes(material: &Material) -> &'static [Option<Face>] {
     match (material.is_double_sided, material.alpha_mode) {
-        (false, _) => &[Sides::Front],
-        (true, AlphaMode::Blend) => &[Sides::Back, Sides::Front],
-        (true, _) => &[Sides::Both],
+        (false, _) => &[Some(Face::Back)],
+        (true, AlphaMode::Blend) => &[Some(Face::Front), Some(Face::Back)],
+        (true, _) => &[None],
     }
 }
 
@@ -140,56 +173,34 @@ fn check_range(object: &LitObject<'_>, part: &LitPart) -> Result<(), GpuError> {
     Ok(())
 }
 
-/// The buffers of all attributes; absent ones read constants.
-fn vertex_buffers(vertices: &LitVertices) -> [(Buffer, u64); BUFFER_COUNT] {
-    const COLOR: usize = 5;
-    std::array::from_fn(|slot| match &vertices.buffers[slot] {
-        Some(buffer) => (buffer.clone(), 0),
-        None => (vertices.absent.clone(), if slot == COLOR { ABSENT_ONES } else { ABSENT_ZEROS }),
-    })
-}
-
-fn object_bindings(
-    gpu: &Gpu,
-    painter: &LitPainter,
-    object: &LitObject<'_>,
-    center: DVec3,
-) -> Result<BindGroup, GpuError> {
-    let [x, y, z] = center.as_vec3().to_array();
-    let [has_normals, has_tangents] = object.vertices.has_normals_and_tangents().map(u32::from);
-    let data = ObjectData { offset: [x, y, z, 0.0], flags: [has_normals, has_tangents, 0, 0] };
-    let uniform = gpu.buffer_of("object", bytes_of(&data), BufferUsages::UNIFORM)?;
-    Ok(gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("object"),
-        layout: &painter.object_layout,
-        entries: &[BindGroupEntry { binding: 0, resource: uniform.as_entire_binding() }],
-    }))
+/// The position of an object's origin relative to the eye, for `vertex.wgsl`.
+fn object_bindings(gpu: &Gpu, program: &LitProgram, center: DVec3) -> Result<BindGroup, GpuError> {
+    let offset = center.as_vec3().extend(0.0).to_array();
+    let uniform = gpu.buffer_of("object", bytes_of(&offset), BufferUsages::UNIFORM)?;
+    Ok(bind(gpu, &program.object_layout, [uniform.as_entire_binding()]))
 }
 
 fn frame_bindings(
     gpu: &Gpu,
-    painter: &LitPainter,
+    program: &LitProgram,
     environment: &Environment,
     data: &[u8],
 ) -> Result<BindGroup, GpuError> {
     let uniform = gpu.buffer_of("frame", data, BufferUsages::UNIFORM)?;
-    let bytes = bytes_of_halves(EnvironmentTable::new(environment).entries.as_flattened());
+    let entries = EnvironmentTable::new(environment).entries;
     let size = [COLUMN_COUNT as u32, ROW_COUNT as u32];
-    let table = upload_table(gpu, TextureFormat::Rgba16Float, size, bytes);
+    let table = upload_table(gpu, TextureFormat::Rgba16Float, size, entries.as_flattened());
     let sampler = gpu.device.create_sampler(&SamplerDescriptor {
         label: Some("tables"),
         mag_filter: FilterMode::Linear,
         min_filter: FilterMode::Linear,
         ..Default::default()
     });
-    Ok(gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("frame"),
-        layout: &painter.frame_layout,
-        entries: &[
-            BindGroupEntry { binding: 0, resource: uniform.as_entire_binding() },
-            BindGroupEntry { binding: 1, resource: BindingResource::TextureView(&table) },
-            BindGroupEntry { binding: 2, resource: BindingResource::TextureView(&painter.reflectance) },
-            BindGroupEntry { binding: 3, resource: BindingResource::Sampler(&sampler) },
-        ],
-    }))
+    let resources = [
+        uniform.as_entire_binding(),
+        BindingResource::TextureView(&table),
+        BindingResource::TextureView(&program.reflectance),
+        BindingResource::Sampler(&sampler),
+    ];
+    Ok(bind(gpu, &program.frame_layout, resources))
 }

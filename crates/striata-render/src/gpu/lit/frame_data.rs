@@ -10,10 +10,6 @@ use crate::environment::Environment;
 /// Largest number of lights in a frame.
 pub(crate) const MAX_LIGHT_COUNT: usize = 32;
 
-/// Distance of the near plane, as a share of the distance to the point that is looked at. Depth is reversed,
-/// so a near plane this close costs no precision far away.
-const NEAR_SHARE: f64 = 1e-3;
-
 /// Uniform data of a frame, laid out as in `frame.wgsl`.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C)]
@@ -40,15 +36,12 @@ struct LightData {
 impl FrameData {
     pub(crate) fn new(
         camera: &Camera,
-        [width, height]: [u32; 2],
+        size: [u32; 2],
+        near: f64,
         environment: &Environment,
         lights: &[Light],
     ) -> Self {
-        let axes = camera.axes();
-        let aspect = f64::from(width.max(1)) / f64::from(height.max(1));
-        let eye = camera.eye_64();
-        let distance = eye.distance(DVec3::from(camera.look_at.map(f64::from)));
-        let near = NEAR_SHARE * if distance > 0.0 { distance } else { 1.0 };
+        let (axes, eye) = (camera.axes(), camera.eye_64());
         let with = |[x, y, z]: [f32; 3], w: f32| [x, y, z, w];
         let mut of_lights = [LightData::zeroed(); MAX_LIGHT_COUNT];
         for (data, light) in of_lights.iter_mut().zip(lights) {
@@ -57,7 +50,7 @@ impl FrameData {
         let light_count = lights.len().min(MAX_LIGHT_COUNT) as f32;
         let axis = |direction: [f32; 3]| Vec3::from(direction).normalize_or(Vec3::Y).to_array();
         Self {
-            clip_from_eye: camera.clip_from(eye, near, aspect).to_cols_array_2d(),
+            clip_from_eye: camera.clip_from(eye, near, size).to_cols_array_2d(),
             screen_axes: axes.map(|axis| with(axis.as_vec3().to_array(), 0.0)),
             ground: with(environment.ground, 0.0),
             sky: with(environment.sky, light_count),

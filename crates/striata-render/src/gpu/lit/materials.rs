@@ -5,12 +5,13 @@ use std::collections::HashMap;
 use bytemuck::{Pod, Zeroable, bytes_of};
 use striata_scene::drawn::{AlphaMode, Material, Sampler};
 use striata_scene::textures::RgbaImage;
-use wgpu::{BindGroup, BindGroupEntry, BindingResource, BufferUsages};
+use wgpu::{BindGroup, BindingResource, BufferUsages};
 
 use crate::gpu::device::Gpu;
 use crate::gpu::gpu_error::GpuError;
-use crate::gpu::lit::painter::LitPainter;
 use crate::gpu::lit::textures::{create_sampler, upload_image};
+use crate::gpu::painter::Painter;
+use crate::gpu::pipelines::bind;
 use crate::material_images::{UsedImage, material_images};
 use crate::mips::ImageMeaning;
 
@@ -52,7 +53,7 @@ impl LitMaterials {
     /// an image is empty or has too few or too many bytes.
     pub fn upload(
         gpu: &Gpu,
-        painter: &LitPainter,
+        painter: &Painter,
         materials: &[Material],
         images: &[Option<RgbaImage>],
     ) -> Result<Self, GpuError> {
@@ -81,15 +82,7 @@ impl LitMaterials {
             let views = of_views.each_ref().map(BindingResource::TextureView);
             let samplers = of_samplers.each_ref().map(BindingResource::Sampler);
             let resources = [buffer.as_entire_binding()].into_iter().chain(views).chain(samplers);
-            let bound: Vec<BindGroupEntry<'_>> = (0..)
-                .zip(resources)
-                .map(|(binding, resource)| BindGroupEntry { binding, resource })
-                .collect();
-            let bindings = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some("material"),
-                layout: &painter.material_layout,
-                entries: &bound,
-            });
+            let bindings = bind(gpu, &painter.lit(gpu).material_layout, resources);
             entries.push(MaterialEntry { material: material.clone(), bindings });
         }
         Ok(Self { entries })

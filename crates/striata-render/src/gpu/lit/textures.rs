@@ -17,11 +17,22 @@ pub(crate) fn upload_image(gpu: &Gpu, image: &RgbaImage, meaning: ImageMeaning) 
         ImageMeaning::Color { .. } => TextureFormat::Rgba8UnormSrgb,
         ImageMeaning::Linear | ImageMeaning::Normal => TextureFormat::Rgba8Unorm,
     };
-    let size = |width, height| Extent3d { width, height, depth_or_array_layers: 1 };
-    let (width, height) = levels.first().map_or((1, 1), |level| (level.width, level.height));
+    let levels: Vec<_> = levels.iter().map(|level| ([level.width, level.height], &level.rgba[..])).collect();
+    upload(gpu, format, &levels)
+}
+
+/// Uploads a table of numbers as half floats, with `[width, height]` entries.
+pub(crate) fn upload_table(gpu: &Gpu, format: TextureFormat, size: [u32; 2], numbers: &[f32]) -> TextureView {
+    let bits: Vec<u16> = numbers.iter().map(|&x| half::f16::from_f32(x).to_bits()).collect();
+    upload(gpu, format, &[(size, bytemuck::cast_slice(&bits))])
+}
+
+/// Uploads levels of a texture, each with its size and bytes, the largest first.
+fn upload(gpu: &Gpu, format: TextureFormat, levels: &[([u32; 2], &[u8])]) -> TextureView {
+    let size = |[width, height]: [u32; 2]| Extent3d { width, height, depth_or_array_layers: 1 };
     let texture = gpu.device.create_texture(&TextureDescriptor {
-        label: Some("image"),
-        size: size(width, height),
+        label: None,
+        size: size(levels.first().map_or([1; 2], |level| level.0)),
         mip_level_count: levels.len().max(1) as u32,
         sample_count: 1,
         dimension: TextureDimension::D2,
@@ -29,14 +40,11 @@ pub(crate) fn upload_image(gpu: &Gpu, image: &RgbaImage, meaning: ImageMeaning) 
         usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
         view_formats: &[],
     });
-    for (mip_level, level) in (0..).zip(&levels) {
+    for (mip_level, &(of_level, bytes)) in (0..).zip(levels) {
         let to = wgpu::TexelCopyTextureInfo { mip_level, ..texture.as_image_copy() };
-        let layout = wgpu::TexelCopyBufferLayout {
-            offset: 0,
-            bytes_per_row: Some(4 * level.width),
-            rows_per_image: None,
-        };
-        gpu.queue.write_texture(to, &level.rgba, layout, size(level.width, level.height));
+        let bytes_per_row = Some(bytes.len() as u32 / of_level[1].max(1));
+        let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row, rows_per_image: None };
+        gpu.queue.write_texture(to, bytes, layout, size(of_level));
     }
     texture.create_view(&Default::default())
 }

@@ -2,7 +2,7 @@
 
 @group(1) @binding(0) var<storage, read> positions: array<f32>;
 @group(1) @binding(1) var<storage, read> normals: array<f32>;
-@group(1) @binding(2) var<storage, read> colors: array<u32>;
+@group(1) @binding(2) var<storage, read> colors: array<vec2<u32>>;
 @group(1) @binding(3) var<storage, read> indices: array<u32>;
 @group(1) @binding(4) var<storage, read> triangle_colors: array<u32>;
 
@@ -23,13 +23,11 @@ fn vertex(@builtin(vertex_index) index: u32) -> Corner {
     out.position = point;
     out.normal = vec3(normals[3u * v], normals[3u * v + 1u], normals[3u * v + 2u]);
     out.color = scene.base.rgb;
-    if scene.flags.y == 1u {
-        out.color = light_of(unpack4x8unorm(colors[v]).rgb);
+    if scene.flags.x == 1u {
+        out.color = min(vec3(unpack2x16float(colors[v].x), unpack2x16float(colors[v].y).x), vec3(1.0));
     }
-    if scene.flags.w == 1u {
-        let own = unpack4x8unorm(triangle_colors[index / 3u]);
-        out.color = mix(out.color, own.rgb, own.a);
-    }
+    let own = unpack4x8unorm(triangle_colors[index / 3u]);
+    out.color = mix(out.color, own.rgb, own.a);
     let corner = index % 3u;
     out.weights = vec3(f32(corner == 0u), f32(corner == 1u), f32(corner == 2u));
     return out;
@@ -41,6 +39,6 @@ fn fragment(in: Corner) -> @location(0) vec4<f32> {
     // Distance to each edge in pixels; a line extends half its width to each side of an edge.
     let distance = in.weights / max(fwidth(in.weights), vec3(1e-12));
     let nearest = min(distance.x, min(distance.y, distance.z));
-    let line = 1.0 - smoothstep(0.0, 1.0, nearest - 0.5 * scene.edge_settings.x + 0.5);
+    let line = 1.0 - smoothstep(0.0, 1.0, nearest - 0.5 * scene.up.w + 0.5);
     return vec4(mix(color, scene.edges.rgb, line * scene.edges.a), 1.0);
 }

@@ -7,24 +7,16 @@ struct Scene {
     // Directions towards the key and fill lights, model space; w: their intensities.
     key: vec4<f32>,
     fill: vec4<f32>,
-    // Up direction, for light from the sky.
+    // Up direction, for light from the sky; w: edge width in pixels.
     up: vec4<f32>,
     // Color of surfaces without colors of their own.
     base: vec4<f32>,
     edges: vec4<f32>,
-    // x: 1 for flat normals, y: 1 to show vertex colors, z: 1 to show groups, w: 1 if triangles have
-    // their own colors.
+    // x: 1 to show vertex colors, y: 1 to show groups.
     flags: vec4<u32>,
-    // x: edge width in pixels.
-    edge_settings: vec4<f32>,
 }
 
 @group(0) @binding(0) var<uniform> scene: Scene;
-
-// Light of an sRGB color.
-fn light_of(color: vec3<f32>) -> vec3<f32> {
-    return select(pow((color + 0.055) / 1.055, vec3(2.4)), color / 12.92, color <= vec3(0.04045));
-}
 
 // Hues spaced by the golden ratio in two shades, matching `palette_color` on the CPU.
 fn palette(index: u32) -> vec3<f32> {
@@ -40,7 +32,7 @@ fn lit(color: vec3<f32>, position: vec3<f32>, smooth_normal: vec3<f32>) -> vec3<
     let to_eye = scene.eye.xyz - position;
     let across = cross(dpdx(position), dpdy(position));
     var normal = smooth_normal;
-    if scene.flags.x == 1u || dot(normal, normal) < 1e-12 {
+    if dot(normal, normal) < 1e-12 {
         normal = across;
     }
     normal = normalize(normal + vec3(0.0, 0.0, 1e-30));

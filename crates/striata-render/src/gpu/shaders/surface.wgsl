@@ -13,10 +13,10 @@ fn corner(position: vec3<f32>, normal: vec3<f32>, color: vec3<f32>, group: u32) 
     out.position = position;
     out.normal = normal;
     out.color = scene.base.rgb;
-    if scene.flags.y == 1u {
+    if scene.flags.x == 1u {
         out.color = color;
     }
-    if scene.flags.z == 1u {
+    if scene.flags.y == 1u {
         out.color = palette(group);
     }
     return out;
@@ -29,7 +29,7 @@ fn vertex(
     @location(2) color: vec4<f32>,
     @builtin(instance_index) group: u32,
 ) -> Corner {
-    return corner(position, normal, light_of(color.rgb), group);
+    return corner(position, normal, min(color.rgb, vec3(1.0)), group);
 }
 
 @fragment

@@ -6,8 +6,8 @@ use bytemuck::cast_slice;
 use glam::{Mat4, Vec3};
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic, shapes};
 use striata_render::gpu::{
-    Canvas, Gpu, GpuError, GpuIndices, LitFrame, LitMaterials, LitObject, LitPainter, LitPart, LitScene,
-    LitVertices, Picture,
+    Canvas, Gpu, GpuError, GpuIndices, GpuVertices, LitFrame, LitMaterials, LitObject, LitPart, LitScene,
+    Painter, Picture,
 };
 use striata_render::{
     Camera, Environment, Light, LightKind, Material, RgbaImage, Sampler, TextureUse, UvTransform, to_srgb,
@@ -24,15 +24,15 @@ pub(crate) fn camera() -> Camera {
 }
 
 /// A device and a painter for all tests: opening and compiling takes longer than drawing.
-static SHARED: LazyLock<(Gpu, Arc<LitPainter>)> = LazyLock::new(|| {
+static SHARED: LazyLock<(Gpu, Arc<Painter>)> = LazyLock::new(|| {
     let gpu = gpu();
-    let painter = LitPainter::new(&gpu, 1);
+    let painter = Painter::new(&gpu, 1);
     (gpu, Arc::new(painter))
 });
 
 pub(crate) struct LitTest {
     pub gpu: Gpu,
-    pub painter: Arc<LitPainter>,
+    pub painter: Arc<Painter>,
     pub canvas: Canvas,
     pub environment: Environment,
     pub lights: Vec<Light>,
@@ -92,7 +92,7 @@ impl LitTest {
         let materials = LitMaterials::upload(&self.gpu, &self.painter, &self.materials, &images)?;
         let mut uploaded = Vec::new();
         for shown in shown {
-            let vertices = LitVertices::upload(&self.gpu, &shown.mesh)?;
+            let vertices = GpuVertices::upload(&self.gpu, &shown.mesh)?;
             let indices = GpuIndices::upload(&self.gpu, cast_slice(&shown.mesh.triangles))?;
             let range = 0..3 * shown.mesh.triangle_count() as u32;
             uploaded.push((vertices, indices, [LitPart { range, material: shown.material }]));

@@ -3,8 +3,6 @@
 struct Object {
     // Origin of the mesh relative to the eye.
     offset: vec4<f32>,
-    // x: 1 if the mesh has normals, y: 1 if it has tangents.
-    flags: vec4<u32>,
 }
 
 @group(2) @binding(0) var<uniform> object: Object;
@@ -12,10 +10,10 @@ struct Object {
 struct Vertex {
     @location(0) position: vec3<f32>,
     @location(1) normal: vec3<f32>,
-    @location(2) tangent: vec4<f32>,
-    @location(3) uv0: vec2<f32>,
-    @location(4) uv1: vec2<f32>,
-    @location(5) color: vec4<f32>,
+    @location(2) color: vec4<f32>,
+    @location(3) tangent: vec4<f32>,
+    @location(4) uv0: vec2<f32>,
+    @location(5) uv1: vec2<f32>,
 }
 
 @vertex
@@ -23,12 +21,8 @@ fn vertex(in: Vertex) -> Surface {
     var out: Surface;
     out.position = in.position + object.offset.xyz;
     out.clip = frame.clip_from_eye * vec4(out.position, 1.0);
-    if object.flags.x == 1u {
-        out.normal = unit_or_zero(in.normal);
-    }
-    if object.flags.y == 1u {
-        out.tangent = vec4(unit_or_zero(in.tangent.xyz), select(-1.0, 1.0, in.tangent.w > 0.0));
-    }
+    out.normal = unit_or_zero(in.normal);
+    out.tangent = vec4(unit_or_zero(in.tangent.xyz), in.tangent.w);
     out.uv = vec4(in.uv0, in.uv1);
     out.color = in.color;
     return out;

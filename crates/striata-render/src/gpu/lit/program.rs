@@ -1,17 +1,14 @@
-//! Resources that all lit pictures share: the shader, its bindings and pipelines, and the reflectance table.
+//! Shared by all pictures with materials: the shader, its bindings and pipelines, and the reflectance table.
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::sync::{Mutex, PoisonError};
 
-use bytemuck::cast_slice;
-use wgpu::{
-    BindGroupLayout, Extent3d, RenderPipeline, ShaderStages, TextureDescriptor, TextureDimension,
-    TextureFormat, TextureUsages, TextureView,
-};
+use wgpu::{BindGroupLayout, Face, RenderPipeline, ShaderStages, TextureFormat, TextureView};
 
 use crate::gpu::device::Gpu;
-use crate::gpu::lit::pipeline_key::PipelineKey;
-use crate::gpu::pipelines::{Program, bindings_layout, sampler, texture, uniform};
+use crate::gpu::lit::textures::upload_table;
+use crate::gpu::pipelines::{Program, Variant, bindings_layout, sampler, texture, uniform};
+use crate::gpu::vertices::BUFFER_COUNT;
 use crate::reflectance_table::{REFLECTANCE_TABLE, SIDE};
 
 const CODE: &str = concat!(
@@ -22,23 +19,33 @@ const CODE: &str = concat!(
     include_str!("shaders/surface.wgsl"),
 );
 
-/// Draws surfaces with materials, for one number of samples per pixel.
+/// The program of surfaces with materials, for one number of samples per pixel.
 ///
 /// Pipelines are created when a frame first needs them, so the first picture of a kind of mesh takes longer.
 #[derive(Debug)]
-pub struct LitPainter {
+pub(crate) struct LitProgram {
     pub(crate) frame_layout: BindGroupLayout,
     pub(crate) material_layout: BindGroupLayout,
     pub(crate) object_layout: BindGroupLayout,
     pub(crate) reflectance: TextureView,
     program: Program,
     samples: u32,
-    pipelines: Mutex<BTreeMap<PipelineKey, RenderPipeline>>,
+    pipelines: Mutex<HashMap<PipelineKey, RenderPipeline>>,
 }
 
-impl LitPainter {
+/// Properties that need a pipeline of their own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct PipelineKey {
+    /// Whether the mesh has each attribute.
+    pub present: [bool; BUFFER_COUNT],
+    /// The sides that are not drawn.
+    pub culled: Option<Face>,
+    pub is_blended: bool,
+}
+
+impl LitProgram {
     /// Compiles the shader for pictures with this number of samples per pixel.
-    pub fn new(gpu: &Gpu, samples: u32) -> Self {
+    pub(crate) fn new(gpu: &Gpu, samples: u32) -> Self {
         let (vertex, fragment) = (ShaderStages::VERTEX, ShaderStages::FRAGMENT);
         let mut of_frame = vec![(vertex | fragment, uniform())];
         of_frame.extend([texture(), texture(), sampler()].map(|binding| (fragment, binding)));
@@ -50,13 +57,8 @@ impl LitPainter {
         let object_layout = bindings_layout(gpu, "object", &[(vertex, uniform())]);
         let program =
             Program::new(gpu, "lit surface", CODE, &[&frame_layout, &material_layout, &object_layout]);
-        let side = SIDE as u32;
-        let reflectance = upload_table(
-            gpu,
-            TextureFormat::Rg16Float,
-            [side, side],
-            bytes_of_halves(REFLECTANCE_TABLE.as_flattened()),
-        );
+        let numbers = REFLECTANCE_TABLE.as_flattened();
+        let reflectance = upload_table(gpu, TextureFormat::Rg16Float, [SIDE as u32; 2], numbers);
         Self {
             frame_layout,
             material_layout,
@@ -71,40 +73,11 @@ impl LitPainter {
     /// Returns a pipeline, and creates it if it is the first of its kind.
     pub(crate) fn pipeline(&self, gpu: &Gpu, key: PipelineKey) -> RenderPipeline {
         let mut pipelines = self.pipelines.lock().unwrap_or_else(PoisonError::into_inner);
-        let create = || key.pipeline(gpu, &self.program, self.samples);
+        let create = || {
+            let PipelineKey { present, culled, is_blended } = key;
+            let variant = Variant { is_strips: false, culled, is_blended, present: &present };
+            self.program.pipeline(gpu, self.samples, &variant)
+        };
         pipelines.entry(key).or_insert_with(create).clone()
     }
-}
-
-/// Uploads a table of half floats of `[width, height]` entries.
-pub(crate) fn upload_table(
-    gpu: &Gpu,
-    format: TextureFormat,
-    [width, height]: [u32; 2],
-    bytes: Vec<u8>,
-) -> TextureView {
-    let size = Extent3d { width, height, depth_or_array_layers: 1 };
-    let texture = gpu.device.create_texture(&TextureDescriptor {
-        label: Some("table"),
-        size,
-        mip_level_count: 1,
-        sample_count: 1,
-        dimension: TextureDimension::D2,
-        format,
-        usage: TextureUsages::TEXTURE_BINDING | TextureUsages::COPY_DST,
-        view_formats: &[],
-    });
-    let layout = wgpu::TexelCopyBufferLayout {
-        offset: 0,
-        bytes_per_row: Some(bytes.len() as u32 / height.max(1)),
-        rows_per_image: None,
-    };
-    gpu.queue.write_texture(texture.as_image_copy(), &bytes, layout, size);
-    texture.create_view(&Default::default())
-}
-
-/// The bytes of numbers as half floats.
-pub(crate) fn bytes_of_halves(numbers: &[f32]) -> Vec<u8> {
-    let bits: Vec<u16> = numbers.iter().map(|&x| half::f16::from_f32(x).to_bits()).collect();
-    cast_slice(&bits).to_vec()
 }
