@@ -54,6 +54,7 @@ impl<'a> Finish<'a> {
     }
 
     /// Opacity of the edges of a triangle at a sample.
+    #[inline]
     pub(crate) fn line(&self, surface: &Surface<'_>, view: &View, triangle: usize, sample: [f64; 2]) -> f32 {
         match self {
             Self::Plain(plain) if plain.edges > 0.0 => {
