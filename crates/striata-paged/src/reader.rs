@@ -69,7 +69,7 @@ impl PagedReader {
         self.head.as_ref().map(|head| &head.metadata)
     }
 
-    /// Where the contents of an image are; `None` if the file does not have them, or before the head has arrived.
+    /// Place of the contents of an image; `None` if the file does not have them, or before the head has arrived.
     pub fn image_want(&self, index: u32) -> Option<Want> {
         let head = self.head.as_ref()?;
         let image = head.metadata.images.get(index as usize).filter(|image| image.byte_count > 0)?;

@@ -82,13 +82,6 @@ impl TriangleSearch {
     pub(crate) fn new() -> Self {
         Self { triangle: usize::MAX, left: 1 << 20 }
     }
-
-    /// Begins the next search at a triangle, unless it is `usize::MAX`.
-    pub(crate) fn begin_at(&mut self, triangle: usize) {
-        if triangle != usize::MAX {
-            self.triangle = triangle;
-        }
-    }
 }
 
 impl TriangleTree {

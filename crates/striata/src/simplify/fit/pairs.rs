@@ -359,7 +359,7 @@ impl Borders {
         of_own.resize(self.edges.len().div_ceil(step), usize::MAX);
         for (own, last) in self.edges.iter().step_by(step).zip(of_own) {
             let middle = 0.5 * (own.ends[0] + own.ends[1]);
-            search.begin_at(*last);
+            search.triangle = if *last == usize::MAX { search.triangle } else { *last };
             let found = level.nearest(middle, own, &mut search);
             *last = search.triangle;
             let Some(edge) = found else { continue };
@@ -373,7 +373,7 @@ impl Borders {
             level.edges.iter().step_by(step).flat_map(|edge| EDGE_POINTS.map(|share| (edge, share)));
         for ((edge, share), last) in samples.zip(of_level) {
             let point = edge.ends[0].lerp(edge.ends[1], share);
-            search.begin_at(*last);
+            search.triangle = if *last == usize::MAX { search.triangle } else { *last };
             let found = self.nearest(point, edge, &mut search);
             *last = search.triangle;
             let Some(own) = found else { continue };

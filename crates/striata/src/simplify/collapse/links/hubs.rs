@@ -83,24 +83,20 @@ impl HubPlaces {
 }
 
 impl HubList<'_> {
-    /// Number of entries, two for each edge.
-    pub(super) fn len(&self) -> usize {
-        *self.len as usize
-    }
-
-    /// Number of edges at `p`.
-    pub(super) fn edges_at(&self, p: u32) -> usize {
+    /// Replaces the edges at `p` by `added`; returns false, having changed nothing, if there is no room, or if not
+    /// more than `least` entries are left of the others.
+    pub(super) fn replace(&mut self, p: u32, added: &[LinkEdge], least: usize) -> bool {
+        let next = |&place: &u32| Some(self.places.next[place as usize]).filter(|&next| next != NONE);
         let first = self.places.first_of.get(&p).copied();
-        std::iter::successors(first, |&place| {
-            Some(self.places.next[place as usize]).filter(|&next| next != NONE)
-        })
-        .count()
-    }
-
-    pub(super) fn remove_all(&mut self, p: u32) {
+        let left = *self.len as usize - 2 * std::iter::successors(first, next).count();
+        if left + 2 * added.len() > self.entries.len() || left <= least {
+            return false;
+        }
         while let Some(&place) = self.places.first_of.get(&p) {
             self.remove(place & !1);
         }
+        added.iter().for_each(|&edge| self.push(edge));
+        true
     }
 
     /// Replaces `v` by `u`, and drops the edges that contained both.
@@ -117,7 +113,7 @@ impl HubList<'_> {
     }
 
     /// Appends an edge; there must be room.
-    pub(super) fn push(&mut self, edge: LinkEdge) {
+    fn push(&mut self, edge: LinkEdge) {
         for p in [edge.a, edge.b] {
             self.places.add(*self.len, p);
             self.entries[*self.len as usize] = p;

@@ -208,17 +208,9 @@ impl Links {
     }
 
     /// Replaces the edges at `v` in the list of `u` by `added`; returns false, having changed nothing, if
-    /// there may be no room.
+    /// there is no room or few edges are left.
     fn merge_into_hub(&mut self, v: u32, u: u32, added: &[LinkEdge]) -> bool {
-        let capacity = self.slabs[u as usize].capacity as usize;
-        let mut list = self.hub_list(u);
-        let len = list.len() - 2 * list.edges_at(v);
-        if len + 2 * added.len() > capacity || len <= 2 * MAX_ORDERED_EDGES {
-            return false;
-        }
-        list.remove_all(v);
-        added.iter().for_each(|&edge| list.push(edge));
-        true
+        self.hub_list(u).replace(v, added, 2 * MAX_ORDERED_EDGES)
     }
 
     /// Replaces `v` by `u` in the link of `w`, a neighbor of v.
