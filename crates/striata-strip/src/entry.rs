@@ -82,7 +82,7 @@ fn run(
     limits.check()?;
     let graph = DualGraph::of_vertices(mesh);
     let groups: Vec<_> = mesh.groups_or_whole().iter().map(|group| group.range()).collect();
-    let task = StripTask { triangles: &mesh.triangles, groups: &groups, options };
+    let task = StripTask { triangles: &mesh.triangles, positions: &mesh.positions, groups: &groups, options };
     let mut links = match start.strip_count() {
         0 => StripLinks::new(&graph),
         _ => StripLinks::from_strips(&graph, &mesh.triangles, start),

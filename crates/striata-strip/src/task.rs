@@ -17,6 +17,7 @@ pub type SpentFn<'a> = dyn FnMut(u64) -> f64 + 'a;
 /// Mesh and options of one call.
 pub(crate) struct StripTask<'a> {
     pub triangles: &'a [[u32; 3]],
+    pub positions: &'a [[f32; 3]],
     pub groups: &'a [Range<usize>],
     pub options: &'a StripOptions,
 }

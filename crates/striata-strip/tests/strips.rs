@@ -115,6 +115,25 @@ fn cheapest_strips_cost_no_more_than_their_start() {
     }
 }
 
+/// Large meshes are searched in parts.
+#[test]
+fn strips_of_a_large_mesh_do_not_depend_on_the_number_of_threads() {
+    let mut mesh = shapes::icosphere(7, 1.0);
+    // The links of a regular mesh would be too good to search, and those of a mesh in order too easy to divide.
+    let mut random = Random::new(7);
+    let kept: Vec<u32> = (0..mesh.triangle_count() as u32).filter(|_| random.below(8) > 0).collect();
+    mesh = mesh.with_triangle_order(&kept);
+    let greedy = stripify(&mesh, &options("greedy")).unwrap();
+    let few_moves = options("cheapest").with_effort(0.02);
+    let strips = [1, 3].map(|count| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build().unwrap();
+        pool.install(|| stripify(&mesh, &few_moves).unwrap())
+    });
+    check(&mesh, &strips[0], "sphere with holes");
+    assert!(strips[0] == strips[1]);
+    assert!(strips[0].cost().index_count < greedy.cost().index_count);
+}
+
 #[test]
 fn strips_do_not_cross_groups() {
     let mut mesh = shapes::grid(12, 12);

@@ -9,10 +9,7 @@
 use striata::mesh::{NO_TWIN, Random};
 
 use super::strip_state::{INDEX, StripState};
-use crate::task::SpentFn;
 
-/// Number of triangles that a sweep visits between checks of the budget.
-const BATCH: u64 = 4096;
 /// Additional moves at a triangle at which a strip ends. On the bunny, in equal time, strips take 1.132
 /// indices per triangle without them, 1.124 with three, 1.123 with eight and 1.126 with twenty.
 const EXTRA_MOVES_AT_END: u64 = 5;
@@ -27,39 +24,54 @@ const MAX_GAIN: i32 = 2 * INDEX;
 const MAX_COST: usize = 64;
 
 /// Running search.
-pub(super) struct Annealer<'s> {
-    state: &'s mut StripState,
+#[derive(Debug)]
+pub(super) struct Annealer {
+    pub state: StripState,
+    pub move_count: u64,
     random: Random,
     /// Probability of accepting each cost, as a fraction of `u32::MAX`.
     chances: [u32; MAX_COST],
-    move_count: u64,
+    /// The triangles that are visited, if not all are.
+    visited: Option<Vec<u32>>,
+    /// Number of the next visit in a sweep of all triangles.
+    next: usize,
 }
 
-impl<'s> Annealer<'s> {
+impl Annealer {
     /// Creates a search that changes these strips.
-    pub(super) fn new(state: &'s mut StripState, seed: u64) -> Self {
-        Self { state, random: Random::new(seed), chances: [0; MAX_COST], move_count: 0 }
+    pub(super) fn new(state: StripState, seed: u64) -> Self {
+        let (random, chances) = (Random::new(seed), [0; MAX_COST]);
+        Self { state, move_count: 0, random, chances, visited: None, next: 0 }
     }
 
-    /// Improves strips until the budget is spent, and returns the change of cost.
-    pub(super) fn anneal(&mut self, temperatures: [f64; 2], spent: &mut SpentFn<'_>) -> i64 {
-        let [first, last] = temperatures;
-        let count = self.state.triangle_count();
-        let (mut triangle, mut change) = (0, 0);
-        if !self.state.can_move() {
+    /// Visits only these triangles.
+    pub(super) fn visiting(self, triangles: Vec<u32>) -> Self {
+        Self { visited: Some(triangles), ..self }
+    }
+
+    /// Number of triangles that are visited.
+    pub(super) fn len(&self) -> usize {
+        self.visited.as_ref().map_or(self.state.triangle_count() as usize, Vec::len)
+    }
+
+    /// Whether there is any link that a search could change.
+    pub(super) fn can_move(&self) -> bool {
+        self.len() > 0 && self.state.can_move()
+    }
+
+    /// Visits some triangles at a temperature, in indices, and returns the change of cost.
+    pub(super) fn sweep(&mut self, temperature: f64, visits: u64) -> i64 {
+        if !self.can_move() {
             return 0;
         }
-        loop {
-            let share = spent(self.move_count);
-            if share >= 1.0 {
-                return change;
-            }
-            self.set_temperature(first + (last - first) * share);
-            for _ in 0..BATCH {
-                change += i64::from(self.visit(triangle));
-                triangle = if triangle + 1 == count { 0 } else { triangle + 1 };
-            }
+        self.set_temperature(temperature);
+        let (count, mut change) = (self.len(), 0);
+        for _ in 0..visits {
+            let triangle = self.visited.as_ref().map_or(self.next as u32, |visited| visited[self.next]);
+            change += i64::from(self.visit(triangle));
+            self.next = if self.next + 1 >= count { 0 } else { self.next + 1 };
         }
+        change
     }
 
     /// Sets the temperature, in indices.

@@ -6,10 +6,14 @@
 //! meet at a vertex are joined there (`stitch`), which saves the restart. The search counts these meetings as
 //! it goes; on the bunny that lowers the cost from 1.131 to 1.122 indices per triangle in the same time.
 //!
+//! Large meshes are searched in parts (`parts`), on several threads: on meshes of 100,000 and 400,000 triangles in 2 and
+//! 8 parts, strips take 1.268 instead of 1.266, and 1.281 instead of 1.279, indices per triangle.
+//!
 //! The cost function is closest to \[ESV96\] and \[XHM99\]; the moves and the joints are our own. The
 //! budget determines the time; memory is 45 bytes per triangle.
 
 mod anneal;
+mod parts;
 mod stitch;
 mod strip_state;
 
@@ -17,11 +21,15 @@ use striata::Cancelled;
 use striata::strip::{StripLinks, StripOrder, StripSet, join_greedily_with_progress};
 
 use crate::task::{SearchLimits, StripTask};
-use anneal::{Annealer, COLD, HOT_TO_COLD};
-use strip_state::StripState;
+use anneal::{COLD, HOT_TO_COLD};
+use parts::StripParts;
 
 /// Share of the budget during which the search cools down; the rest runs cold.
 const COOLING_SHARE: f64 = 0.8;
+/// Indices per triangle up to which strips are not improved, as on a grid.
+const BEST: f64 = 1.005;
+/// Share of the budget that is spent within parts of a large mesh; the rest is spent along their borders.
+const PARTS_SHARE: f64 = 0.95;
 
 /// Improves strips until the budget is spent, and writes them.
 ///
@@ -37,24 +45,30 @@ pub(crate) fn run(
     join_greedily_with_progress(task.triangles, task.groups, links, &mut |now| limits.report(now))?;
     let mut start = StripSet::new();
     stitch::write(task, links, &mut start);
+    if start.cost().index_count as f64 <= BEST * task.triangles.len() as f64 {
+        *out = start;
+        return Ok(());
+    }
     let mut order = Vec::with_capacity(task.triangles.len());
     let mut strips = StripOrder::new(task.triangles);
     for group in task.groups {
         strips.visit(group.clone(), links, |path| order.extend(path.triangles(links)));
     }
-    let mut state = StripState::new(order, task.triangles, links);
-    let mut annealer = Annealer::new(&mut state, task.options.seed);
-    let cost = annealer.anneal(HOT_TO_COLD, &mut |moves| limits.spent(moves) / COOLING_SHARE);
+    let mut parts = StripParts::new(&order, task, links);
+    let cost = parts.anneal(HOT_TO_COLD, &mut |moves| limits.spent(moves) / COOLING_SHARE);
     limits.check()?;
-    if cost <= 0 {
-        annealer.anneal(COLD, &mut |moves| limits.spent(moves));
-        state.write_links(links);
-    } else {
-        let mut state = StripState::new(state.into_order(), task.triangles, links);
-        let mut annealer = Annealer::new(&mut state, task.options.seed);
-        if annealer.anneal(COLD, &mut |moves| limits.spent(moves)) < 0 {
-            state.write_links(links);
-        }
+    if cost > 0 {
+        parts = StripParts::new(&order, task, links);
+    }
+    let share = if parts.are_several() { PARTS_SHARE } else { 1.0 };
+    let colder = parts.anneal(COLD, &mut |moves| limits.spent(moves) / share);
+    if cost <= 0 || colder < 0 {
+        parts.write_links(links);
+    }
+    if parts.are_several() {
+        let before = parts.join(&order, task, links);
+        parts.anneal(COLD, &mut |moves| limits.spent(before + moves));
+        parts.write_links(links);
     }
     limits.check()?;
     stitch::write(task, links, out);

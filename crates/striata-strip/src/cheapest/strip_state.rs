@@ -43,6 +43,20 @@ struct TriangleLinks {
     solid: u32,
 }
 
+/// Numbers that a part of the mesh gives its triangles and vertices.
+#[derive(Debug)]
+pub(super) struct StateNumbers {
+    of_triangles: Vec<u32>,
+    of_vertices: Vec<u32>,
+}
+
+impl StateNumbers {
+    pub(super) fn new(triangles: &[[u32; 3]]) -> Self {
+        let vertex_count = triangles.as_flattened().iter().max().map_or(0, |&v| v as usize + 1);
+        Self { of_triangles: vec![NO_TWIN; triangles.len()], of_vertices: vec![NO_TWIN; vertex_count] }
+    }
+}
+
 /// Strips as solid links, with counts of the strip ends at each vertex.
 ///
 /// Triangles are numbered along strips, so that a sweep over them stays in the CPU cache.
@@ -57,33 +71,54 @@ pub(super) struct StripState {
 }
 
 impl StripState {
-    /// Copies the links of triangles, in an order that keeps neighbors close to each other in memory.
-    pub(super) fn new(order: Vec<u32>, triangles: &[[u32; 3]], links: &StripLinks<'_>) -> Self {
-        let mut new_index = vec![NO_TWIN; triangles.len()];
+    /// Copies the links between some triangles, in an order that keeps neighbors close to each other in memory.
+    /// Links to other triangles are left out.
+    ///
+    /// `numbers` has room for each triangle and vertex of the mesh, [`NO_TWIN`] before and after.
+    pub(super) fn new(
+        order: &[u32],
+        triangles: &[[u32; 3]],
+        links: &StripLinks<'_>,
+        numbers: &mut StateNumbers,
+    ) -> Self {
+        let StateNumbers { of_triangles, of_vertices } = numbers;
         for (&triangle, i) in order.iter().zip(0..) {
-            new_index[triangle as usize] = i;
+            of_triangles[triangle as usize] = i;
         }
         let packed = |side: u32| match links.twins()[side as usize] {
             NO_TWIN => NO_TWIN,
-            twin => (new_index[twin as usize / 3] << 2) | (twin % 3),
+            twin if of_triangles[twin as usize / 3] == NO_TWIN => NO_TWIN,
+            twin => (of_triangles[twin as usize / 3] << 2) | (twin % 3),
         };
-        let node = |&triangle: &u32| TriangleLinks {
-            twins: [0, 1, 2].map(|k| packed(3 * triangle + k)),
-            solid: u32::from(links.solid_bits(triangle)),
+        let node = |&triangle: &u32| {
+            let twins = [0, 1, 2].map(|k| packed(3 * triangle + k));
+            let inside = (0..3).fold(0, |bits, k| bits | u32::from(twins[k] != NO_TWIN) << k);
+            TriangleLinks { twins, solid: u32::from(links.solid_bits(triangle)) & inside }
         };
         let nodes = order.iter().map(node).collect();
-        let corners: Vec<_> = order.iter().map(|&triangle| triangles[triangle as usize]).collect();
-        let vertex_count = corners.as_flattened().iter().max().map_or(0, |&v| v as usize + 1);
-        let mut state = Self { order, corners, nodes, ends: vec![[0; 2]; vertex_count] };
+        let mut vertex_count = 0;
+        let mut number = |v: u32| {
+            let number = &mut of_vertices[v as usize];
+            if *number == NO_TWIN {
+                (*number, vertex_count) = (vertex_count, vertex_count + 1);
+            }
+            *number
+        };
+        let corners = order.iter().map(|&triangle| triangles[triangle as usize].map(&mut number)).collect();
+        let mut state =
+            Self { order: order.to_vec(), corners, nodes, ends: vec![[0; 2]; vertex_count as usize] };
+        for &triangle in order {
+            of_triangles[triangle as usize] = NO_TWIN;
+            triangles[triangle as usize].iter().for_each(|&v| of_vertices[v as usize] = NO_TWIN);
+        }
         for triangle in 0..state.triangle_count() {
             state.change_end(triangle, true);
         }
         state
     }
 
-    /// Writes the links back, with the triangle indices of the mesh.
+    /// Joins the solid links, with the triangle indices of the mesh.
     pub(super) fn write_links(&self, links: &mut StripLinks<'_>) {
-        links.clear();
         for (i, node) in self.nodes.iter().enumerate() {
             for k in (0..3).filter(|k| node.solid & 1 << k != 0) {
                 let side = 3 * self.order[i] + k;
@@ -94,9 +129,9 @@ impl StripState {
         }
     }
 
-    /// Returns the mesh index of each triangle.
-    pub(super) fn into_order(self) -> Vec<u32> {
-        self.order
+    /// Mesh index of each triangle.
+    pub(super) fn order(&self) -> &[u32] {
+        &self.order
     }
 
     /// Number of triangles.
