@@ -71,7 +71,7 @@ pub(crate) fn is_lost(position: &[f32; 3]) -> bool {
 
 /// Whether some value is not finite. Comparing the largest exponent has no early exit, and is done many
 /// values at a time.
-pub(crate) fn has_strange(values: &[f32]) -> bool {
+fn has_strange(values: &[f32]) -> bool {
     const BLOCK: usize = 1 << 12;
     const EXPONENT: u32 = 0x7f80_0000;
     let is_strange = |x: &f32| x.to_bits() & EXPONENT == EXPONENT;

@@ -151,7 +151,7 @@ impl<'a> Cursor<'a> {
 
     /// Skips blanks, up to the next word of the line or the line's end.
     #[inline]
-    pub(crate) fn skip_blanks(&mut self) {
+    fn skip_blanks(&mut self) {
         while let Some(byte) = self.peek() {
             match byte {
                 b' ' | b'\t' | b'\r' | 0x0b | 0x0c => self.at += 1,
@@ -506,7 +506,7 @@ impl TextNumber<'_> {
     /// Whether the text has digits that `value`, the nearest `f32`, does not give back: printed with as many
     /// places, it would be another number. Six-digit texts of single-precision programs have none.
     #[inline]
-    pub(crate) fn has_more_digits_than(self, value: f32) -> bool {
+    fn has_more_digits_than(self, value: f32) -> bool {
         // Half a unit in the last place of an f32 is less than half a unit of the last digit here.
         const SHORT: u64 = 1 << 23;
         self.decimal.is_none_or(|d| d.mantissa >= SHORT) && self.differs_from(value)

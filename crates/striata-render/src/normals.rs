@@ -42,7 +42,7 @@ pub fn with_all_normals(mesh: &IndexedMesh) -> Cow<'_, IndexedMesh> {
 }
 
 /// Area-weighted normals of all vertices; zero for vertices without triangles.
-pub(crate) fn vertex_normals(mesh: &IndexedMesh) -> Vec<[f32; 3]> {
+fn vertex_normals(mesh: &IndexedMesh) -> Vec<[f32; 3]> {
     let first_at_position = first_vertices(mesh);
     let mut sums = vec![DVec3::ZERO; mesh.vertex_count()];
     for corners in &mesh.triangles {

@@ -25,7 +25,7 @@ const MAX_BUILT_TRIANGLES: usize = 6_000_000;
 
 /// Maximum size of a file that is read as a whole, bytes.
 #[cfg(any(feature = "stream", feature = "files"))]
-pub(crate) const MAX_FILE_BYTES: usize = 1 << 30;
+const MAX_FILE_BYTES: usize = 1 << 30;
 
 /// Checks that a stream will fit into a page.
 ///

@@ -112,7 +112,7 @@ impl PieceSource for FractalTerrain {
 
 /// Triangles of a grid of samples, counterclockwise seen from above; each quad is divided along its diagonal from
 /// the lower left.
-pub(super) fn grid_triangles(width: u32, height: u32) -> Vec<[u32; 3]> {
+fn grid_triangles(width: u32, height: u32) -> Vec<[u32; 3]> {
     let quads = (0..height - 1).flat_map(|y| (0..width - 1).map(move |x| y * width + x));
     quads.flat_map(|a| [[a, a + 1, a + width + 1], [a, a + width + 1, a + width]]).collect()
 }

@@ -178,11 +178,7 @@ fn read_polygon<'a, R: Rows<'a>>(
     Ok(())
 }
 
-pub(super) fn read_index<'a, R: Rows<'a>>(
-    scalar: Scalar,
-    rows: &mut R,
-    faces: &mut ReadFaces,
-) -> Result<u32, Fault> {
+fn read_index<'a, R: Rows<'a>>(scalar: Scalar, rows: &mut R, faces: &mut ReadFaces) -> Result<u32, Fault> {
     let mark = rows.mark();
     let index = rows.integer(scalar)?;
     let Ok(vertex) = u32::try_from(index) else {

@@ -72,7 +72,7 @@ impl Scalar {
         }
     }
 
-    pub(crate) fn is_integer(self) -> bool {
+    fn is_integer(self) -> bool {
         !matches!(self, Self::F32 | Self::F64)
     }
 }

@@ -10,7 +10,7 @@ use super::{PagedBuildError, finish_task, simplify_task, sort_task};
 use striata::{Cancelled, Progress, ProgressFn};
 
 /// Callback that receives the number of finished tasks and can stop the others.
-pub(super) type TaskProgress<'p> = dyn FnMut(u64) -> Result<(), Cancelled> + 'p;
+type TaskProgress<'p> = dyn FnMut(u64) -> Result<(), Cancelled> + 'p;
 
 /// Calls `run` for every index, on several threads; the first error stops all of them.
 pub(super) fn in_parallel(

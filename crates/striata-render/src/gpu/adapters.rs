@@ -23,7 +23,7 @@ pub struct GpuOptions {
 
 impl GpuOptions {
     /// The requested name in lower case; none for CPU adapters.
-    pub(crate) fn requested_name(&self) -> Option<String> {
+    fn requested_name(&self) -> Option<String> {
         let named = self.adapter_name.clone().or_else(|| std::env::var("WGPU_ADAPTER_NAME").ok())?;
         (!named.is_empty() && !self.is_fallback).then(|| named.to_lowercase())
     }

@@ -13,7 +13,7 @@ use crate::document::{entries, index};
 const MAX_GROWTH: f64 = 64.0;
 
 /// Factor by which animations enlarge each node, compared with the document's own scales.
-pub(super) fn node_growth(document: &Value, buffer: &[u8]) -> Vec<f64> {
+fn node_growth(document: &Value, buffer: &[u8]) -> Vec<f64> {
     let nodes = entries(document, "nodes");
     let mut own = vec![1.0f64; nodes.len()];
     let largest = |numbers: &[f64]| numbers.iter().fold(0.0f64, |most, x| most.max(x.abs()));

@@ -284,7 +284,7 @@ pub(crate) fn ordered_to_float(x: i32) -> f32 {
 /// Returns the number of floats between the decoded and the exact coordinate; positive if the exact one is
 /// larger.
 #[inline]
-pub(crate) fn exact_correction(exact: f32, decoded: f32) -> i32 {
+fn exact_correction(exact: f32, decoded: f32) -> i32 {
     float_to_ordered(exact).wrapping_sub(float_to_ordered(decoded))
 }
 

@@ -83,7 +83,7 @@ pub(crate) struct NewVertex {
 }
 
 /// A writer's data: all layers, and the index of the current vertex in them.
-pub(crate) type Actual<'a> = Option<(&'a [LayerValues], u32)>;
+type Actual<'a> = Option<(&'a [LayerValues], u32)>;
 
 /// Returns a writer's layers and the index of the current vertex in the source mesh.
 pub(crate) fn actual_layers(

@@ -12,7 +12,7 @@ use super::local::LANES;
 use super::position_density::INVERSES;
 
 /// Three grid coordinates and a flag of 1, or all zeros for unknown and virtual vertices.
-pub(crate) type KnownCoords = [i32; 4];
+type KnownCoords = [i32; 4];
 
 /// The surroundings of a new vertex: its ring, starting at the vertex that split, and the vertex across
 /// the edge from each ring vertex to the next one.

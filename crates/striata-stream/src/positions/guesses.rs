@@ -28,7 +28,7 @@ pub(super) const MOVED: usize = 3;
 /// Kind: points mirrored at a ring vertex.
 pub(super) const STRAIGHT: usize = 4;
 /// Kind: ring vertices moved along edges of the second ring in the other direction.
-pub(super) const TURNED: usize = 5;
+const TURNED: usize = 5;
 
 /// Guesses of one kind, one per lane.
 #[derive(Clone, Copy, Debug, Default)]

@@ -41,7 +41,7 @@ pub(super) struct PositionDensity<const USED: usize> {
 
 impl<const USED: usize> PositionDensity<USED> {
     /// Whether guesses need the second ring.
-    pub(super) const LOOKS_BEYOND: bool = USED > STRAIGHT;
+    const LOOKS_BEYOND: bool = USED > STRAIGHT;
 
     /// Creates an empty state.
     pub(super) fn new() -> Self {

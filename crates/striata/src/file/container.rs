@@ -12,7 +12,7 @@ pub(super) const MAGIC: [u8; 8] = *b"STRIATA\0";
 pub const VERSION: u32 = 2;
 pub(super) const HEADER_BYTES: usize = 64;
 pub(super) const ENTRY_BYTES: usize = 32;
-pub(super) const ALIGNMENT: usize = 64;
+const ALIGNMENT: usize = 64;
 /// Far more than any file needs; limits the work that a malicious table can cause.
 pub(super) const MAX_SECTIONS: usize = 65_536;
 /// Section flag: readers that do not know the kind must reject the file.

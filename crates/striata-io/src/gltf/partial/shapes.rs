@@ -26,7 +26,7 @@ pub(super) fn shape(
 impl GltfDocument<'_> {
     /// Returns the size in bytes that a buffer view has when it is decompressed, which this does not do, and
     /// its stride if it has one.
-    pub(super) fn view_size(&self, index: u64, from: &JsonNode<'_>) -> Result<(u64, Option<usize>), Fault> {
+    fn view_size(&self, index: u64, from: &JsonNode<'_>) -> Result<(u64, Option<usize>), Fault> {
         let at = self.item("bufferViews", index, from)?;
         let stride = stride(&at)?;
         let size = match self.packed(&at) {

@@ -255,7 +255,7 @@ impl<'f> Validator<'f> {
 }
 
 /// Checks that no triangle of a fan has an edge between equal vertices.
-pub(super) fn check_arcs(fan: &FanView<'_>) -> Result<(), &'static str> {
+fn check_arcs(fan: &FanView<'_>) -> Result<(), &'static str> {
     let mut distances = fan.distances();
     let first = distances.next();
     let mut last = first;

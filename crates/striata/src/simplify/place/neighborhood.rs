@@ -18,7 +18,7 @@ const TWICE_ROOT_3: f64 = 3.464_101_615_137_754_6;
 
 /// Function that returns the weight of leaving the path of a seam, from the two triangles and the edge
 /// vector between them.
-pub(super) type SeamWeight<'a> = &'a dyn Fn([u32; 2], DVec3) -> Option<f64>;
+type SeamWeight<'a> = &'a dyn Fn([u32; 2], DVec3) -> Option<f64>;
 
 /// Scratch for the star of one position at a time; vectors are relative to its center.
 #[derive(Debug, Default)]
