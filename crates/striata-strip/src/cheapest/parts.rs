@@ -15,9 +15,15 @@ const PART_TRIANGLES: usize = 1 << 17;
 /// Number of triangles that a sweep of a part visits between checks of the budget.
 const BATCH: u64 = 4096;
 
+/// Largest number of moves for each triangle at a border: a few of them would get all that are left, and following
+/// long strips around would take quadratic time.
+const BORDER_MOVES: u64 = 128;
+
 /// Searches of all parts.
 pub(super) struct StripParts {
     parts: Vec<Annealer>,
+    /// Largest number of moves.
+    most_moves: u64,
 }
 
 impl StripParts {
@@ -37,7 +43,7 @@ impl StripParts {
             let seed = task.options.seed ^ (parts.len() as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15);
             parts.push(Annealer::new(StripState::new(&run, task.triangles, links, &mut numbers), seed));
         });
-        Self { parts }
+        Self { parts, most_moves: u64::MAX }
     }
 
     /// Whether the mesh is large enough for several parts.
@@ -60,7 +66,8 @@ impl StripParts {
             let twins = (0..3).map(|k| whole.twin((triangle << 2) | k)).filter(|&twin| twin != NO_TWIN);
             twins.map(|twin| part_of[order[twin as usize >> 2] as usize]).any(|part| part != own)
         };
-        let visited = (0..order.len() as u32).filter(is_at_border).collect();
+        let visited: Vec<u32> = (0..order.len() as u32).filter(is_at_border).collect();
+        self.most_moves = BORDER_MOVES * visited.len() as u64;
         self.parts.push(Annealer::new(whole, task.options.seed).visiting(visited));
         before
     }
@@ -78,13 +85,13 @@ impl StripParts {
         }
         loop {
             let share = spent(self.move_count());
-            if share >= 1.0 {
+            if share >= 1.0 || self.move_count() >= self.most_moves {
                 return change;
             }
             let temperature = first + (last - first) * share;
             let largest = self.parts.iter().map(Annealer::len).max().unwrap_or(1) as u64;
             change += sum(&mut self.parts, |part| {
-                let visits = (BATCH * part.len() as u64).div_ceil(largest);
+                let visits = (BATCH.min(self.most_moves) * part.len() as u64).div_ceil(largest);
                 part.sweep(temperature, visits)
             });
         }
