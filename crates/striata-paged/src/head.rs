@@ -308,8 +308,13 @@ impl Prefix {
         if crc32fast::hash(root) != self.root_crc {
             return Err(HeadDefect::Checksum("directory").into());
         }
-        let metadata: Metadata =
+        let mut metadata: Metadata =
             serde_json::from_slice(json).map_err(|error| HeadDefect::Metadata(error.to_string()))?;
+        // Earlier files have only the addresses of images, among the materials.
+        if let Some(images) = metadata.appearance.get("images").filter(|_| metadata.images.is_empty()) {
+            metadata.images = serde_json::from_value(images.clone())
+                .map_err(|error| HeadDefect::Metadata(error.to_string()))?;
+        }
         metadata.check().map_err(HeadDefect::Metadata)?;
         let root = parse_root(&BoundsQuantizer::of(&metadata), root)?;
         Ok((metadata, root))
@@ -454,6 +459,17 @@ mod tests {
             }
         };
         Ok((metadata, entries))
+    }
+
+    #[test]
+    fn addresses_of_images_in_earlier_files_are_read() {
+        let appearance = serde_json::json!({"images": [{"name": "bark", "uri": "bark.png"}]});
+        let bytes = write_head(&Metadata { appearance, ..metadata() }, &entries(5), false);
+        let (prefix, rest) = bytes.split_at(PREFIX_BYTES as usize);
+        let (read, _) = Prefix::parse(prefix).unwrap().parse_rest(rest).unwrap();
+        let expected =
+            crate::PagedImage { name: "bark".into(), uri: "bark.png".into(), ..Default::default() };
+        assert_eq!(read.images, [expected]);
     }
 
     #[test]

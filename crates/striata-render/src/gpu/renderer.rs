@@ -266,7 +266,7 @@ mod tests {
         let far = differences.iter().filter(|bytes| bytes.iter().any(|&byte| byte > 32)).count();
         let sum: u32 = differences.as_flattened().iter().map(|&byte| u32::from(byte)).sum();
         let mean = f64::from(sum) / 3.0 / drawn.len() as f64;
-        // How dark a line narrower than a pixel is depends on where the pixel is sampled.
+        // The darkness of a line narrower than a pixel depends on the places of the samples.
         let limit = if shot.has_edges { 1.25 } else { 1.0 };
         assert!(drawn.len() > least_drawn, "{} pixels were drawn", drawn.len());
         assert!(
