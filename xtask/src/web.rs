@@ -72,8 +72,7 @@ pub(crate) fn check() -> Result<()> {
     let stamp = AssetStamp::read(&viewer_stamp()).context(ADVICE)?;
     if let Some(missing) = missing_tool() {
         say(&format!("{missing}: the web package is neither built nor tested"));
-        print_notice(&stamp);
-        return Ok(());
+        return print_notice(&stamp);
     }
     prepare_library()?;
     let scratch = std::env::temp_dir().join(format!("striata-viewer-{}", std::process::id()));
@@ -83,15 +82,15 @@ pub(crate) fn check() -> Result<()> {
         assets::compare(&scratch, &viewer()).context(ADVICE)?;
     } else {
         say("the viewer was built by another rustc, so its bytes are not compared");
-        print_notice(&stamp);
+        print_notice(&stamp)?;
     }
     machine::remove_folder(&scratch)?;
     machine::npm(&folder(), &["test"])
 }
 
 /// Prints a notice if the viewer is older than its sources.
-fn print_notice(stamp: &AssetStamp) {
-    let changed = stamp.changed();
+fn print_notice(stamp: &AssetStamp) -> Result<()> {
+    let changed = stamp.changed()?;
     if !changed.is_empty() {
         let changed = changed.join("; ");
         say(&format!(
@@ -100,6 +99,7 @@ fn print_notice(stamp: &AssetStamp) {
             stamp.rustc()
         ));
     }
+    Ok(())
 }
 
 /// Returns a message about a tool that is missing, if one is.

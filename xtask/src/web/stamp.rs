@@ -9,13 +9,11 @@ use sha2::{Digest as _, Sha256};
 use super::wasm;
 use crate::workspace;
 
-/// Sources by name. Folders include all of their contents; missing paths are ignored.
-const SOURCES: [(&str, &[&str]); 9] = [
-    ("library", &["crates/striata/src", "crates/striata/Cargo.toml"]),
-    ("streams", &["crates/striata-stream/src", "crates/striata-stream/Cargo.toml"]),
-    ("io", &["crates/striata-io/src", "crates/striata-io/Cargo.toml"]),
-    ("scenes", &["crates/striata-scene/src", "crates/striata-scene/Cargo.toml"]),
-    ("web-crate", &["crates/striata-web/src", "crates/striata-web/Cargo.toml"]),
+/// Crate that is compiled to wasm.
+const WASM_CRATE: &str = "striata-web";
+
+/// Sources other than crates, by name. Folders include all of their contents; missing paths are ignored.
+const SOURCES: [(&str, &[&str]); 4] = [
     ("rust-packages", &["Cargo.toml", "Cargo.lock"]),
     ("recipe", &["xtask/src/web.rs", "xtask/src/web"]),
     ("page", &["web/src", "web/viewer"]),
@@ -65,14 +63,20 @@ impl AssetStamp {
     }
 
     /// Returns the names of the sources that have changed since.
-    pub(super) fn changed(&self) -> Vec<&'static str> {
-        let is_same = |name, paths| digest(paths).is_ok_and(|digest| self.value(name) == Some(&digest));
-        SOURCES.iter().filter(|(name, paths)| !is_same(name, paths)).map(|(name, _)| *name).collect()
+    ///
+    /// # Errors
+    /// If a manifest cannot be read.
+    pub(super) fn changed(&self) -> Result<Vec<String>> {
+        let is_same = |name: &str, paths: &[String]| {
+            digest(paths).is_ok_and(|digest| self.value(name) == Some(&digest))
+        };
+        let changed = sources()?.into_iter().filter(|(name, paths)| !is_same(name, paths));
+        Ok(changed.map(|(name, _)| name).collect())
     }
 
     /// Whether building again would give the same result.
     pub(super) fn is_fresh(&self) -> bool {
-        self.is_of_this_rust() && self.changed().is_empty()
+        self.is_of_this_rust() && self.changed().is_ok_and(|changed| changed.is_empty())
     }
 }
 
@@ -82,9 +86,9 @@ impl AssetStamp {
 /// If a source cannot be read or the stamp cannot be written.
 pub(super) fn write(path: &Path) -> Result<()> {
     let mut text = format!("rustc: {}\n", rustc()?);
-    for (name, paths) in SOURCES {
+    for (name, paths) in sources()? {
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "{name}: {}", digest(paths)?);
+        let _ = writeln!(text, "{name}: {}", digest(&paths)?);
     }
     std::fs::write(path, text).with_context(|| path.display().to_string())
 }
@@ -93,8 +97,37 @@ fn rustc() -> Result<String> {
     wasm::rustc_output(&["--version"])
 }
 
+/// Lists all sources: the crates of the workspace that the wasm is built from, and the others.
+fn sources() -> Result<Vec<(String, Vec<String>)>> {
+    let mut crates = vec![WASM_CRATE.to_owned()];
+    let mut sources = Vec::new();
+    while let Some(name) = crates.get(sources.len()).cloned() {
+        for dependency in dependencies(&name)? {
+            if !crates.contains(&dependency) {
+                crates.push(dependency);
+            }
+        }
+        sources.push((name.clone(), vec![format!("crates/{name}/src"), format!("crates/{name}/Cargo.toml")]));
+    }
+    let others = SOURCES
+        .iter()
+        .map(|(name, paths)| ((*name).to_owned(), paths.iter().map(|path| (*path).to_owned()).collect()));
+    sources.extend(others);
+    Ok(sources)
+}
+
+/// Returns the crates of the workspace that a crate is built from: dependencies named by their path.
+fn dependencies(name: &str) -> Result<Vec<String>> {
+    let path = workspace().join(format!("crates/{name}/Cargo.toml"));
+    let text = std::fs::read_to_string(&path).with_context(|| path.display().to_string())?;
+    let manifest: toml_edit::DocumentMut = text.parse().with_context(|| path.display().to_string())?;
+    let dependencies = manifest.get("dependencies").and_then(toml_edit::Item::as_table_like);
+    let named = dependencies.into_iter().flat_map(toml_edit::TableLike::iter);
+    Ok(named.filter(|(_, item)| item.get("path").is_some()).map(|(name, _)| name.to_owned()).collect())
+}
+
 /// Computes a digest of the names and bytes of files, in the order of their names.
-fn digest(paths: &[&str]) -> Result<String> {
+fn digest(paths: &[String]) -> Result<String> {
     let mut files = Vec::new();
     for path in paths {
         list(&workspace().join(path), Path::new(path), &mut files)?;
@@ -129,4 +162,18 @@ fn list(path: &Path, name: &Path, files: &mut Vec<(String, PathBuf)>) -> Result<
         list(&entry.path(), &name.join(entry.file_name()), files)?;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sources_are_all_crates_that_the_wasm_is_built_from() -> Result<()> {
+        let names: Vec<String> = sources()?.into_iter().map(|(name, _)| name).collect();
+        for name in ["striata", "striata-paged", "striata-strip", "striata-web", "rust-packages", "page"] {
+            assert!(names.iter().any(|named| named == name), "{name} is not in {names:?}");
+        }
+        Ok(())
+    }
 }
