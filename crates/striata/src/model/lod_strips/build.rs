@@ -21,6 +21,11 @@ use crate::strip::{StripSet, strip_triangles};
 /// more groups, which take room in each stage. Otherwise a limit that no strips can meet would be tried at every
 /// step.
 const RETRY_SHARE: f64 = 0.95;
+/// The same if new strips do not meet the limit either: those of a triangulated polygon never do, and all tries
+/// together would take twenty times as long as the first.
+const MISSED_RETRY_SHARE: f64 = 0.7;
+/// Stages with fewer triangles are tried as often as if they met the limit: that costs little.
+const SMALL_STAGE: usize = 10_000;
 
 impl LodStrips<'static> {
     /// Builds the model from strips of the full mesh, in a single stage; strips longer than
@@ -75,6 +80,7 @@ impl LodStrips<'static> {
                 let strips = stripify(&level)?;
                 check_strips(&level, &strips)?;
                 builder.offer_stage(step, &strips, before)?;
+                builder.wait_for_next_try(step, options.max_indices_per_triangle);
             }
         }
         Ok(builder.finish())
@@ -92,8 +98,8 @@ struct LodStripsBuilder<'r> {
     arena: Vec<u8>,
     /// Head and length of each record, in the same order.
     records: Vec<(u8, u32)>,
-    /// Number of triangles, or of groups if there are more, at which new strips were last tried.
-    tried_at: usize,
+    /// New strips are tried at this number of triangles, or of groups if there are more.
+    next_try: f64,
 }
 
 /// How much of the records has been written.
@@ -120,7 +126,7 @@ impl<'r> LodStripsBuilder<'r> {
             step_edits: Vec::new(),
             arena: Vec::new(),
             records: Vec::with_capacity(sequence.targets().len()),
-            tried_at: usize::MAX,
+            next_try: f64::INFINITY,
         }
     }
 
@@ -142,9 +148,18 @@ impl<'r> LodStripsBuilder<'r> {
 
     /// Whether the current strips need too many indices after a step.
     fn needs_strips(&self, step: usize, limit: f64) -> bool {
-        let triangle_count = self.sequence.triangle_count_at(step);
-        self.current.index_count() as f64 > limit * triangle_count as f64
-            && self.size_at(step) as f64 <= RETRY_SHARE * self.tried_at as f64
+        self.misses(step, limit) && self.size_at(step) as f64 <= self.next_try
+    }
+
+    fn misses(&self, step: usize, limit: f64) -> bool {
+        self.current.index_count() as f64 > limit * self.sequence.triangle_count_at(step) as f64
+    }
+
+    /// Sets when new strips may be tried again after they were at a step.
+    fn wait_for_next_try(&mut self, step: usize, limit: f64) {
+        let size = self.size_at(step);
+        let misses = size >= SMALL_STAGE && self.misses(step, limit);
+        self.next_try = size as f64 * if misses { MISSED_RETRY_SHARE } else { RETRY_SHARE };
     }
 
     /// Number of triangles after a step, or of groups if there are more.
@@ -153,8 +168,7 @@ impl<'r> LodStripsBuilder<'r> {
     }
 
     /// The mesh after a step, from the current strips.
-    fn level(&mut self, step: usize) -> IndexedMesh {
-        self.tried_at = self.size_at(step);
+    fn level(&self, step: usize) -> IndexedMesh {
         let vertex_count = self.sequence.step_vertices(step).start as usize;
         let mut level = IndexedMesh::new(self.refinable.mesh.positions[..vertex_count].to_vec(), Vec::new());
         let strips = &self.current.strips;
