@@ -51,9 +51,10 @@ impl<'f, 'm> GltfContainer<'f, 'm> {
     /// Returns the contents of the file itself.
     pub(super) fn packed(self, mut parts: GltfParts) -> Result<Vec<u8>, Refusal> {
         if matches!(self, Self::Glb) {
-            return container::joined(parts.root.to_string().into_bytes(), parts.binary)
+            return container::joined(parts.to_json().into_bytes(), parts.binary)
                 .ok_or_else(|| Refusal::Unsupported("the file would be larger than 4 GiB".to_owned()));
         }
+        parts.parse_written();
         if let Some(buffer) = parts.root.pointer_mut("/buffers/0") {
             buffer["uri"] = json!(self.buffer_uri(parts.binary));
         }

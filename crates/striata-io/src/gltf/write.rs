@@ -11,7 +11,7 @@ use striata::mesh::{Appearance, Image, IndexedMesh, TriangleGroup};
 use super::builder::{GltfBuilder, TRIANGLE_STRIP};
 use super::component_type::GltfComponentType;
 use super::files::GltfContainer;
-use super::passes::GltfParts;
+use super::passes::{GltfParts, WrittenArray};
 use super::shading::shaded;
 use super::write_layers::{SharedAttributes, attributes};
 use crate::WriteOptions;
@@ -57,14 +57,12 @@ fn document(
     root.insert("asset".to_owned(), json!({ "version": "2.0", "generator": "striata" }));
     root.insert("scene".to_owned(), json!(0));
     let (meshes, nodes) = builder.meshes(mesh, options)?;
-    let roots: Vec<usize> = (0..nodes.len()).collect();
+    let roots: Vec<usize> = (0..nodes.len).collect();
     let mut scene = if roots.is_empty() { json!({}) } else { json!({ "nodes": roots }) };
     if let Ok(georeference) = serde_json::from_str::<Value>(&mesh.appearance.georeference) {
         scene["extras"] = json!({ GEOREFERENCE: georeference });
     }
     insert(&mut root, "scenes", vec![scene]);
-    insert(&mut root, "meshes", meshes);
-    insert(&mut root, "nodes", nodes);
     let extensions = builder.looks(mesh, &mut root)?;
     insert(&mut root, "extensionsUsed", extensions.into_iter().map(Value::String).collect());
     insert(&mut root, "accessors", builder.accessors);
@@ -72,7 +70,8 @@ fn document(
     if !builder.binary.is_empty() {
         insert(&mut root, "buffers", vec![json!({ "byteLength": builder.binary.len() })]);
     }
-    Ok(GltfParts { root: Value::Object(root), binary: builder.binary })
+    let written = vec![("meshes", meshes), ("nodes", nodes)];
+    Ok(GltfParts { root: Value::Object(root), binary: builder.binary, written })
 }
 
 /// Adds an array to the document unless it is empty, because glTF does not allow empty arrays.
@@ -83,42 +82,42 @@ pub(crate) fn insert(root: &mut Map<String, Value>, key: &str, entries: Vec<Valu
 }
 
 impl GltfBuilder {
+    /// Adds the vertices and triangles of a mesh, and returns the entries of its meshes and nodes.
     fn meshes(
         &mut self,
         mesh: &IndexedMesh,
         options: &WriteOptions,
-    ) -> Result<(Vec<Value>, Vec<Value>), Refusal> {
+    ) -> Result<(WrittenArray, WrittenArray), Refusal> {
         let groups = mesh.groups_or_whole();
         let lists = index_lists(mesh, &groups, options)?;
+        let (mut meshes, mut nodes) = (WrittenArray::default(), WrittenArray::default());
         if lists.iter().all(|list| list.indices.is_empty()) {
-            return Ok((Vec::new(), Vec::new()));
+            return Ok((meshes, nodes));
         }
         let attributes = attributes(self, mesh)?;
         let indices = self.push_indices(lists.iter().map(|list| &list.indices[..]), mesh.positions.len());
-        let (mut meshes, mut nodes): (Vec<Value>, Vec<Value>) = (Vec::new(), Vec::new());
-        let mut open_name: Option<&str> = None;
-        for (list, accessor) in lists.iter().zip(indices) {
-            let (group, Some(accessor)) = (&groups[list.group], accessor) else { continue };
-            let primitive = primitive(&attributes, accessor, list.mode, group.material);
-            if open_name == Some(group.name.as_str())
-                && let Some(Value::Array(primitives)) =
-                    meshes.last_mut().and_then(|mesh| mesh.get_mut("primitives"))
-            {
-                primitives.push(primitive);
-                continue;
-            }
-            open_name = Some(&group.name);
-            let mut node = json!({ "mesh": meshes.len() });
+        let shown: Vec<_> = lists
+            .iter()
+            .zip(indices)
+            .filter_map(|(list, accessor)| Some((&groups[list.group], list.mode, accessor?)))
+            .collect();
+        for alike in shown.chunk_by(|(a, ..), (b, ..)| a.name == b.name) {
+            let primitives: Vec<Value> = alike
+                .iter()
+                .map(|&(group, mode, accessor)| primitive(&attributes, accessor, mode, group.material))
+                .collect();
+            let name = &alike[0].0.name;
+            let mut node = json!({ "mesh": meshes.len });
             if mesh.origin != [0.0; 3] {
                 node["translation"] = json!(mesh.origin);
             }
-            let mut entry = json!({ "primitives": [primitive] });
-            if !group.name.is_empty() {
-                node["name"] = json!(group.name);
-                entry["name"] = json!(group.name);
+            let mut entry = json!({ "primitives": primitives });
+            if !name.is_empty() {
+                node["name"] = json!(name);
+                entry["name"] = json!(name);
             }
-            meshes.push(entry);
-            nodes.push(node);
+            meshes.push(&entry);
+            nodes.push(&node);
         }
         Ok((meshes, nodes))
     }

@@ -75,7 +75,7 @@ fn document(
     if !builder.binary.is_empty() {
         insert(&mut root, "buffers", vec![json!({ "byteLength": builder.binary.len() })]);
     }
-    Ok(GltfParts { root: Value::Object(root), binary: builder.binary })
+    Ok(GltfParts { root: Value::Object(root), binary: builder.binary, ..GltfParts::default() })
 }
 
 fn value_at<'v>(root: &'v mut Value, pointer: &str) -> Result<&'v mut Value, Refusal> {

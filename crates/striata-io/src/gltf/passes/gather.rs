@@ -18,7 +18,11 @@ type ViewKey = (u64, Option<usize>, Option<usize>);
 
 /// Joins the views of vertices and of indices, unless an unknown extension may refer to them.
 pub(super) fn gather(parts: &mut GltfParts) {
-    if array_length(&parts.root, "bufferViews") < MANY || !are_all_known(&parts.root) {
+    if array_length(&parts.root, "bufferViews") < MANY {
+        return;
+    }
+    parts.parse_written();
+    if !are_all_known(&parts.root) {
         return;
     }
     let types = index_types(&parts.root);

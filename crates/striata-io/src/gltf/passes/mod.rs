@@ -33,7 +33,7 @@ use crate::error::Refusal;
 use draco::draco;
 use gather::gather;
 use meshopt::meshopt;
-pub(crate) use parts::GltfParts;
+pub(crate) use parts::{GltfParts, WrittenArray};
 use quantize::{Texcoords, quantize};
 
 impl GltfParts {
@@ -54,6 +54,9 @@ impl GltfParts {
                 let reason = format!("this build cannot compress it: the feature `{feature}` is off");
                 return Err(Refusal::Unsupported(reason));
             }
+        }
+        if options.draco || options.quantize.is_some() || options.meshopt {
+            self.parse_written();
         }
         if options.draco {
             // Draco quantizes by itself.

@@ -1,6 +1,8 @@
 //! A glTF document that passes change, and its arrays.
 
-use serde_json::{Value, json};
+use std::fmt::Write as _;
+
+use serde_json::{Map, Value, json};
 
 use crate::gltf::document::GltfDocument;
 
@@ -11,9 +13,55 @@ pub(crate) struct GltfParts {
     pub root: Value,
     /// Contents of the first buffer.
     pub binary: Vec<u8>,
+    /// Arrays of the root that are written already, by their names.
+    pub written: Vec<(&'static str, WrittenArray)>,
+}
+
+/// JSON array as text. A million entries take a tenth of the memory that they take as values.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct WrittenArray {
+    text: String,
+    pub len: usize,
+}
+
+impl WrittenArray {
+    pub(in crate::gltf) fn push(&mut self, entry: &Value) {
+        // Writing to a string cannot fail.
+        let _ = write!(self.text, "{}{entry}", if self.len == 0 { "" } else { "," });
+        self.len += 1;
+    }
 }
 
 impl GltfParts {
+    /// Parses the arrays that are written already, so that passes can change them.
+    pub(in crate::gltf) fn parse_written(&mut self) {
+        for (key, array) in std::mem::take(&mut self.written) {
+            let entries = serde_json::from_str(&format!("[{}]", array.text)).unwrap_or_default();
+            push_entries(&mut self.root, key, entries);
+        }
+    }
+
+    /// Returns the JSON of the document on one line.
+    pub(in crate::gltf) fn to_json(&self) -> String {
+        let none = Map::new();
+        let root = self.root.as_object().unwrap_or(&none);
+        let arrays: Vec<_> = self.written.iter().filter(|(_, array)| array.len > 0).collect();
+        let mut keys: Vec<&str> =
+            root.keys().map(String::as_str).chain(arrays.iter().map(|(key, _)| *key)).collect();
+        keys.sort_unstable();
+        let mut text = String::from("{");
+        for key in keys {
+            let separator = if text.len() == 1 { "" } else { "," };
+            // Writing to a string cannot fail.
+            let _ = match (root.get(key), arrays.iter().find(|(name, _)| *name == key)) {
+                (Some(value), _) => write!(text, "{separator}{}:{value}", json!(key)),
+                (None, Some((_, array))) => write!(text, "{separator}\"{key}\":[{}]", array.text),
+                (None, None) => Ok(()),
+            };
+        }
+        text + "}"
+    }
+
     /// Appends bytes to the binary, aligned to 4, and returns a plain buffer view of them.
     pub(super) fn push_bytes(&mut self, bytes: &[u8]) -> Value {
         self.binary.resize(self.binary.len().next_multiple_of(4), 0);

@@ -100,7 +100,7 @@ fn interleaved_views_are_cut_in_whole_steps() {
         "bufferViews": [{ "buffer": 0, "byteLength": binary.len(), "byteStride": 20 }],
         "buffers": [{ "byteLength": binary.len() }],
     });
-    let mut parts = GltfParts { root, binary };
+    let mut parts = GltfParts { root, binary, ..GltfParts::default() };
     compact(&mut parts, &BTreeSet::new());
     let view: &Value = &parts.root["bufferViews"][0];
     assert_eq!((view["byteLength"].as_u64(), view["byteStride"].as_u64()), (Some(100), Some(20)));

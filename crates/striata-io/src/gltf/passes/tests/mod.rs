@@ -37,7 +37,7 @@ impl Sketch {
             "bufferViews": [],
         });
         let additions = Additions::new(&root);
-        Self { parts: GltfParts { root, binary: Vec::new() }, additions }
+        Self { parts: GltfParts { root, ..GltfParts::default() }, additions }
     }
 
     /// Adds vertex data, and returns the accessor.
