@@ -1,4 +1,5 @@
-//! Chooses what draws pictures: a GPU that has passed a test, or the software rasterizer.
+//! Chooses what draws pictures: a GPU that has passed a test, or the software rasterizer, which is quicker than
+//! drivers that draw on the CPU.
 //!
 //! Drawing never fails because of a GPU. If no adapter passes its trial, or one fails later, the rasterizer
 //! draws instead, and one line on stderr gives the reason.
@@ -11,7 +12,7 @@ use striata_command::driver_messages::without_driver_messages;
 use striata_command::failure::{Failure, catch_panic};
 use striata_command::output::Output;
 #[cfg(feature = "gpu")]
-use striata_render::gpu::{GpuError, GpuOptions, GpuRenderer, RejectedAdapter};
+use striata_render::gpu::{AdapterKind, GpuError, GpuOptions, GpuRenderer, RejectedAdapter};
 use striata_render::{Camera, Drawn, Shot, rasterize};
 
 /// Name of the rasterizer in messages.
@@ -28,14 +29,15 @@ pub struct PictureRenderer {
 }
 
 impl PictureRenderer {
-    /// Uses the best working adapter, or else the rasterizer; the reason is reported to `output`.
+    /// Uses the best working GPU, or else the rasterizer; if GPUs do not work, the reason is reported to `output`.
     #[cfg(feature = "gpu")]
     pub fn best(output: &Output) -> Self {
-        match open(&GpuOptions::default(), output) {
+        match open(&GpuOptions { kind: AdapterKind::Gpu, ..GpuOptions::default() }, output) {
             Ok((renderer, rejected)) => {
                 note_rejected(&rejected, &renderer.gpu().name(), output);
                 Self { gpu: Some(Box::new(renderer)), output: *output }
             }
+            Err(GpuError::NoAdapter { .. }) => Self::software(output),
             Err(error) => {
                 output.say(&format!("note: {error}; using {RASTERIZER} instead"));
                 Self::software(output)

@@ -140,11 +140,11 @@ pub(crate) struct RenderArgs {
     /// The level to draw. Must come after `view`, because it changes the help of `--viewport`.
     #[command(flatten)]
     pub level: LevelChoice,
-    /// Use the graphics adapter whose name contains this [default: the fastest]
+    /// Use the graphics adapter whose name contains this [default: the fastest GPU]
     #[cfg(feature = "gpu")]
     #[arg(long, value_name = "NAME", conflicts_with = "software", help_heading = "Adapter")]
     pub adapter: Option<String>,
-    /// Render on the CPU
+    /// Render on the CPU, as machines without a GPU do
     #[arg(long, help_heading = "Adapter")]
     pub software: bool,
     /// Options for the messages of graphics drivers.

@@ -10,7 +10,7 @@ pub(crate) mod ways;
 
 use std::time::Instant;
 
-use striata_render::gpu::{Gpu, GpuOptions};
+use striata_render::gpu::{AdapterKind, Gpu, GpuOptions};
 
 use self::bench_scene::BenchScene;
 use self::report::{GpuMeshReport, GpuReport};
@@ -29,7 +29,10 @@ use striata_command::output::Output;
 pub(crate) fn run(args: &BenchGpuArgs, output: &Output) -> Result<(), Failure> {
     let started = Instant::now();
     let entries = ways::entries(&args.way_names())?;
-    let options = GpuOptions { is_fallback: args.software, adapter_name: args.adapter.clone() };
+    let options = GpuOptions {
+        kind: if args.software { AdapterKind::Cpu } else { AdapterKind::Any },
+        adapter_name: args.adapter.clone(),
+    };
     let gpu = without_driver_messages(output, || Gpu::new(&options))?;
     // Open all inputs first, so that a missing file is reported before any work is done.
     let inputs: Vec<Input> = args.inputs.iter().map(|path| Input::open(path)).collect::<Result<_, _>>()?;

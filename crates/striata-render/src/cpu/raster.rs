@@ -6,6 +6,9 @@
 //! so more would not be visible. Edges are drawn at every sample. Last, transparent triangles are
 //! blended over the samples from back to front. Bands are drawn in parallel. Colors, lights and edges match
 //! those of `gpu`. Time O(samples covered + bands triangles).
+//!
+//! Large opaque triangles come first, from front to back, and skip tiles in which everything is nearer:
+//! a hundred thousand sheets that hide each other would take minutes otherwise.
 
 use std::ops::Range;
 
@@ -24,6 +27,12 @@ const NONE: u32 = u32::MAX;
 
 /// Number of bands that a picture is divided into at least, so that threads share the work evenly.
 const LEAST_BANDS: usize = 16;
+
+/// Columns and rows of the tiles whose farthest sample is known.
+const TILE: [usize; 2] = [64, 16];
+
+/// Triangles are large if their bounding boxes have this many samples or more.
+const LARGE: f32 = 4.0 * (TILE[0] * TILE[1]) as f32;
 
 /// Draws a shot, at most some rows at a time; uncovered pixels are transparent.
 pub(crate) fn draw(
@@ -72,7 +81,9 @@ type Corners = [ScreenPoint; 3];
 struct ScreenTriangles {
     /// The vertices.
     points: Vec<ScreenPoint>,
-    /// Opaque triangles between vertices, by number.
+    /// Large opaque triangles between vertices, by number, from front to back.
+    large: Vec<u32>,
+    /// Other opaque triangles between vertices, by number.
     whole: Vec<u32>,
     /// Parts of opaque triangles that the near plane cuts, each with its number.
     cut: Vec<(u32, Corners)>,
@@ -82,14 +93,19 @@ struct ScreenTriangles {
 
 impl ScreenTriangles {
     fn new(surface: &Surface<'_>, finish: &Finish<'_>, view: &View) -> Self {
-        let points = surface.positions.iter().map(|&position| view.project(position)).collect();
-        let (mut whole, mut cut, mut blended) = (Vec::new(), Vec::new(), Vec::new());
+        let points: Vec<_> = surface.positions.iter().map(|&position| view.project(position)).collect();
+        let (mut large, mut whole, mut cut, mut blended) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for (index, triangle) in (0..).zip(surface.triangles) {
             let Some(alpha_mode) = finish.alpha_mode(surface, index as usize) else { continue };
             let corners = triangle.map(|v| surface.positions[v as usize]);
             let is_blended = alpha_mode == AlphaMode::Blend;
             if !is_blended && corners.iter().all(|&corner| view.is_inside(corner)) {
-                whole.push(index);
+                let corners = triangle.map(|v| points[v as usize]);
+                if box_area(&corners) >= LARGE {
+                    large.push((nearest_of(&corners), index));
+                } else {
+                    whole.push(index);
+                }
                 continue;
             }
             let parts = view.clip(corners).map(|corners| (index, corners.map(|corner| view.project(corner))));
@@ -97,7 +113,9 @@ impl ScreenTriangles {
         }
         let nearness = |corners: &Corners| corners.iter().map(|corner| corner.inverse_depth).sum::<f32>();
         blended.sort_by(|(_, a), (_, b)| nearness(a).total_cmp(&nearness(b)));
-        Self { points, whole, cut, blended }
+        large.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+        let large = large.into_iter().map(|(_, index)| index).collect();
+        Self { points, large, whole, cut, blended }
     }
 }
 
@@ -107,6 +125,14 @@ struct Band {
     /// Inverse depths.
     nearest: Vec<f32>,
     rows: Range<usize>,
+}
+
+/// Depths and triangles of the samples of a band.
+struct DepthBand<'b> {
+    nearest: &'b mut [f32],
+    numbers: &'b mut [u32],
+    width: usize,
+    start: usize,
 }
 
 impl Picture<'_> {
@@ -121,7 +147,8 @@ impl Picture<'_> {
         }
         for (corners, color) in &self.lines {
             let Band { canvas, nearest, rows } = &mut band;
-            visit_samples(corners, rows, width, |x, y, depth| {
+            let Some(triangle) = ScreenTriangle::new(corners, rows, width) else { continue };
+            triangle.visit([&(0..width), rows], |x, y, depth| {
                 let nearest = &mut nearest[(y - rows.start) * width + x];
                 if depth > *nearest {
                     *nearest = depth;
@@ -134,31 +161,67 @@ impl Picture<'_> {
 
     fn draw_opaque(&self, band: &mut Band) {
         let width = band.canvas.width;
-        let mut numbers = vec![NONE; width * band.rows.len()];
-        let Band { nearest, rows, .. } = &mut *band;
-        let mut draw = |index: u32, corners: &Corners| {
-            let cutoff = self.finish.cutoff(index as usize);
-            let is_visible = |x: usize, y: usize, cutoff: f32| {
-                let sample = [x as f64 + 0.5, y as f64 + 0.5];
-                self.finish.alpha(&self.surface, &self.view, index as usize, sample) >= cutoff
-            };
-            visit_samples(corners, rows, width, |x, y, depth| {
-                let at = (y - rows.start) * width + x;
-                if depth > nearest[at] && cutoff.is_none_or(|cutoff| is_visible(x, y, cutoff)) {
-                    (nearest[at], numbers[at]) = (depth, index);
-                }
-            });
-        };
-        let ScreenTriangles { points, whole, cut, .. } = &self.triangles;
-        for &index in whole {
-            draw(index, &self.surface.triangles[index as usize].map(|v| points[v as usize]));
-        }
-        cut.iter().for_each(|(index, corners)| draw(*index, corners));
+        let numbers = self.nearest_triangles(&mut band.nearest, &band.rows, width);
         for row in 0..band.rows.len() / DOWNSAMPLING {
             for column in 0..width / DOWNSAMPLING {
                 self.shade_pixel(band, &numbers, [column, row]);
             }
         }
+    }
+
+    /// Finds the nearest opaque triangle at each sample of some rows, and its inverse depth.
+    fn nearest_triangles(&self, nearest: &mut [f32], rows: &Range<usize>, width: usize) -> Vec<u32> {
+        let mut numbers = vec![NONE; width * rows.len()];
+        let mut depths = DepthBand { nearest, numbers: &mut numbers, width, start: rows.start };
+        let ScreenTriangles { points, large, whole, cut, .. } = &self.triangles;
+        let corners_of = |index: u32| self.surface.triangles[index as usize].map(|v| points[v as usize]);
+        let mut tiles = Tiles::new(width, rows.len());
+        for &index in large {
+            let Some(triangle) = ScreenTriangle::new(&corners_of(index), rows, width) else { continue };
+            for tile in tiles.of(&triangle, rows.start) {
+                let [across, down] = tiles.samples(tile, rows);
+                let is_hidden = triangle.nearest_in(&across, &down) < tiles.farthest[tile];
+                if !is_hidden && self.cover(&triangle, index, &mut depths, [&across, &down]) {
+                    let row = |y: usize| &depths.nearest[(y - rows.start) * width..][across.clone()];
+                    tiles.farthest[tile] = down.flat_map(row).copied().fold(f32::INFINITY, f32::min);
+                }
+            }
+        }
+        let cut = cut.iter().map(|(index, corners)| (*index, *corners));
+        for (index, corners) in whole.iter().map(|&index| (index, corners_of(index))).chain(cut) {
+            if let Some(triangle) = ScreenTriangle::new(&corners, rows, width) {
+                self.cover(&triangle, index, &mut depths, [&triangle.columns, &triangle.rows]);
+            }
+        }
+        numbers
+    }
+
+    /// Notes an opaque triangle in those of its samples in some columns and rows that it is nearest in, and returns
+    /// whether there are any.
+    fn cover(
+        &self,
+        triangle: &ScreenTriangle,
+        index: u32,
+        band: &mut DepthBand<'_>,
+        samples: [&Range<usize>; 2],
+    ) -> bool {
+        let cutoff = self.finish.cutoff(index as usize);
+        let is_visible = |x: usize, y: usize, cutoff: f32| {
+            let sample = [x as f64 + 0.5, y as f64 + 0.5];
+            self.finish.alpha(&self.surface, &self.view, index as usize, sample) >= cutoff
+        };
+        let mut is_changed = false;
+        triangle.visit(samples, |x, y, depth| {
+            let at = (y - band.start) * band.width + x;
+            // Of triangles at equal depth, the first one of the mesh is visible, in any order of drawing.
+            let is_nearer =
+                depth > band.nearest[at] || (depth == band.nearest[at] && index < band.numbers[at]);
+            if is_nearer && cutoff.is_none_or(|cutoff| is_visible(x, y, cutoff)) {
+                (band.nearest[at], band.numbers[at]) = (depth, index);
+                is_changed = true;
+            }
+        });
+        is_changed
     }
 
     /// Shades each triangle that is visible in a pixel of the picture.
@@ -188,7 +251,8 @@ impl Picture<'_> {
     fn blend(&self, index: usize, corners: &Corners, band: &mut Band) {
         let (width, start) = (band.canvas.width, band.rows.start);
         let mut visible: Vec<[usize; 2]> = Vec::new();
-        visit_samples(corners, &band.rows, width, |x, y, depth| {
+        let Some(triangle) = ScreenTriangle::new(corners, &band.rows, width) else { return };
+        triangle.visit([&(0..width), &band.rows], |x, y, depth| {
             if depth > band.nearest[(y - start) * width + x] {
                 visible.push([x, y - start]);
             }
@@ -216,41 +280,144 @@ fn mean(samples: impl Iterator<Item = [usize; 2]>, start: usize) -> [f64; 2] {
     sum.map(|x| x / count)
 }
 
-/// Calls `visit` with each sample of some rows inside a triangle, as column and row, and its inverse depth.
-fn visit_samples(
-    corners: &Corners,
-    rows: &Range<usize>,
+/// The tiles of a band.
+struct Tiles {
+    per_row: usize,
     width: usize,
-    mut visit: impl FnMut(usize, usize, f32),
-) {
-    let [a, b, c] = *corners;
-    let rows = covered([a.y, b.y, c.y], rows);
-    let area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-    let is_behind = corners.iter().any(|p| p.inverse_depth <= 0.0 || !p.inverse_depth.is_finite());
-    if rows.is_empty() || is_behind || area == 0.0 || !area.is_finite() {
-        return;
+    /// Inverse depth of the farthest sample of each tile, or less.
+    farthest: Vec<f32>,
+}
+
+impl Tiles {
+    fn new(width: usize, rows: usize) -> Self {
+        let per_row = width.div_ceil(TILE[0]);
+        Self { per_row, width, farthest: vec![0.0; per_row * rows.div_ceil(TILE[1])] }
     }
-    let sides = [(b, c), (c, a), (a, b)];
-    // Of two triangles that share a side, exactly one owns the samples on it: else, transparent ones would
-    // cover them twice.
-    let owns = sides.map(|(p, q)| {
-        let (dx, dy) = ((q.x - p.x) * area.signum(), (q.y - p.y) * area.signum());
-        dy > 0.0 || (dy == 0.0 && dx > 0.0)
-    });
-    let columns = covered([a.x, b.x, c.x], &(0..width));
-    for y in rows {
-        let py = y as f32 + 0.5;
-        for x in columns.clone() {
-            let px = x as f32 + 0.5;
-            // Both triangles of a side compute the same number up to its sign.
-            let weights =
-                sides.map(|(p, q)| ((p.x - px) * (q.y - py) - (p.y - py) * (q.x - px)) * area.signum());
-            if (0..3).all(|k| weights[k] > 0.0 || (weights[k] == 0.0 && owns[k])) {
-                let [wa, wb, wc] = weights.map(|weight| weight / area.abs());
-                visit(x, y, wa * a.inverse_depth + wb * b.inverse_depth + wc * c.inverse_depth);
+
+    /// Returns the tiles that the bounding box of a triangle meets.
+    fn of(&self, triangle: &ScreenTriangle, start: usize) -> impl Iterator<Item = usize> + use<> {
+        let ScreenTriangle { columns, rows, .. } = triangle;
+        let across = columns.start / TILE[0]..columns.end.div_ceil(TILE[0]);
+        let down = (rows.start - start) / TILE[1]..(rows.end - start).div_ceil(TILE[1]);
+        let per_row = self.per_row;
+        down.flat_map(move |row| across.clone().map(move |column| row * per_row + column))
+    }
+
+    /// Returns the columns and rows of a tile.
+    fn samples(&self, tile: usize, rows: &Range<usize>) -> [Range<usize>; 2] {
+        let [x, y] = [tile % self.per_row * TILE[0], rows.start + tile / self.per_row * TILE[1]];
+        [x..(x + TILE[0]).min(self.width), y..(y + TILE[1]).min(rows.end)]
+    }
+}
+
+/// A triangle in a band.
+struct ScreenTriangle {
+    corners: Corners,
+    area: f32,
+    /// Whether the triangle has the samples on each of its sides. Of two triangles that share a side, exactly
+    /// one has them: else, transparent ones would cover them twice.
+    owns: [bool; 3],
+    columns: Range<usize>,
+    rows: Range<usize>,
+}
+
+impl ScreenTriangle {
+    /// Returns a triangle, unless it covers none of these rows.
+    fn new(corners: &Corners, rows: &Range<usize>, width: usize) -> Option<Self> {
+        let [a, b, c] = *corners;
+        let rows = covered([a.y, b.y, c.y], rows);
+        let area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+        let is_behind = corners.iter().any(|p| p.inverse_depth <= 0.0 || !p.inverse_depth.is_finite());
+        if rows.is_empty() || is_behind || area == 0.0 || !area.is_finite() {
+            return None;
+        }
+        let owns = sides(corners).map(|(p, q)| {
+            let (dx, dy) = ((q.x - p.x) * area.signum(), (q.y - p.y) * area.signum());
+            dy > 0.0 || (dy == 0.0 && dx > 0.0)
+        });
+        let columns = covered([a.x, b.x, c.x], &(0..width));
+        Some(Self { corners: *corners, area, owns, columns, rows })
+    }
+
+    /// Calls `visit` with each sample of some columns and rows inside the triangle, as column and row, and its
+    /// inverse depth.
+    fn visit(&self, [columns, rows]: [&Range<usize>; 2], mut visit: impl FnMut(usize, usize, f32)) {
+        let [a, b, c] = self.corners;
+        let columns = columns.start.max(self.columns.start)..columns.end.min(self.columns.end);
+        for y in rows.start.max(self.rows.start)..rows.end.min(self.rows.end) {
+            let py = y as f32 + 0.5;
+            for x in self.span(py, &columns) {
+                let px = x as f32 + 0.5;
+                // Both triangles of a side compute the same number up to its sign.
+                let weights = sides(&self.corners)
+                    .map(|(p, q)| ((p.x - px) * (q.y - py) - (p.y - py) * (q.x - px)) * self.area.signum());
+                if (0..3).all(|k| weights[k] > 0.0 || (weights[k] == 0.0 && self.owns[k])) {
+                    let [wa, wb, wc] = weights.map(|weight| weight / self.area.abs());
+                    visit(x, y, wa * a.inverse_depth + wb * b.inverse_depth + wc * c.inverse_depth);
+                }
             }
         }
     }
+
+    /// Columns in which samples of a row may be inside; all that are, rounding included.
+    fn span(&self, py: f32, columns: &Range<usize>) -> Range<usize> {
+        let (mut first, mut end) = (columns.start as f64, columns.end as f64);
+        let py = f64::from(py);
+        for (p, q) in sides(&self.corners) {
+            let [px, qx] = [p.x, q.x].map(f64::from);
+            let [to_p, to_q] = [p.y, q.y].map(|y| f64::from(y) - py);
+            // The weight of the side falls by this much from column to column.
+            let slope = (to_q - to_p) * f64::from(self.area.signum());
+            if slope == 0.0 {
+                continue;
+            }
+            let zero = (px * to_q - qx * to_p) / (to_q - to_p);
+            let size = (px.abs() + qx.abs() + end) * (to_p.abs() + to_q.abs());
+            let margin = 1.5 + size * f64::from(f32::EPSILON) * 4.0 / slope.abs();
+            if slope > 0.0 {
+                end = end.min(zero + margin);
+            } else {
+                first = first.max(zero - margin);
+            }
+        }
+        // Casts of floats saturate.
+        (first as usize).max(columns.start)..(end.ceil() as usize).min(columns.end)
+    }
+
+    /// Inverse depth that no sample of some columns and rows exceeds.
+    fn nearest_in(&self, columns: &Range<usize>, rows: &Range<usize>) -> f32 {
+        let [a, b, c] = self.corners.map(|p| [p.x, p.y, p.inverse_depth].map(f64::from));
+        let [ab, ac] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
+        let area = ab[0] * ac[1] - ab[1] * ac[0];
+        let slopes = [(ab[2] * ac[1] - ab[1] * ac[2]) / area, (ab[0] * ac[2] - ab[2] * ac[0]) / area];
+        let x = if slopes[0] > 0.0 { columns.end } else { columns.start } as f64;
+        let y = if slopes[1] > 0.0 { rows.end } else { rows.start } as f64;
+        let bound = a[2] + slopes[0] * (x - a[0]) + slopes[1] * (y - a[1]);
+        // Depths are sums of single precision, which are inexact in slivers.
+        let box_area = f64::from(box_area(&self.corners));
+        let nearest = f64::from(nearest_of(&self.corners));
+        let error = nearest * (1e-6 + 16.0 * f64::from(f32::EPSILON) * box_area / area.abs());
+        if bound.is_finite() { (bound.min(nearest) + error) as f32 } else { f32::INFINITY }
+    }
+}
+
+/// The sides of a triangle, each opposite to the corner of its number.
+fn sides(&[a, b, c]: &Corners) -> [(ScreenPoint, ScreenPoint); 3] {
+    [(b, c), (c, a), (a, b)]
+}
+
+/// Inverse depth of the nearest corner.
+fn nearest_of(corners: &Corners) -> f32 {
+    corners.iter().map(|corner| corner.inverse_depth).fold(0.0, f32::max)
+}
+
+/// Area of the bounding box of a triangle, in samples.
+fn box_area(corners: &Corners) -> f32 {
+    let extent = |of: fn(&ScreenPoint) -> f32| {
+        let [a, b, c] = [0, 1, 2].map(|k| of(&corners[k]));
+        a.max(b).max(c) - a.min(b).min(c)
+    };
+    extent(|p| p.x) * extent(|p| p.y)
 }
 
 /// Range of rows or columns whose sample centers may lie between three coordinates.
@@ -443,6 +610,60 @@ mod tests {
             let whole = draw(&shot, &CAMERA, [40, 30], 30);
             for rows in [1, 7, 29] {
                 assert_eq!(draw(&shot, &CAMERA, [40, 30], rows), whole, "{rows} rows");
+            }
+        }
+    }
+
+    #[test]
+    fn many_large_triangles_that_hide_each_other_look_like_a_plain_loop() {
+        // Sheets around an axis, nearly edge-on ones among them, and a square that cuts through all.
+        let mut mesh = squares(&[0.1]);
+        for i in 0..200 {
+            let (sin, cos) = (i as f32 * 0.0314_f32).sin_cos();
+            let first = mesh.positions.len() as u32;
+            mesh.positions.extend([[0.0, -2.0, 0.0], [0.0, 2.0, 0.0], [1.5 * cos, 0.3, 1.5 * sin]]);
+            mesh.triangles.push([first, first + 1, first + 2]);
+        }
+        mesh.layers.clear();
+        mesh.groups.clear();
+        let colors: Vec<[u8; 4]> =
+            (0..mesh.triangles.len()).map(|i| [i as u8, (i >> 8) as u8, 0, 255]).collect();
+        let shot = Shot::of(&mesh, Paint::Triangles(colors), Style::FLAT);
+        let (width, height) = (240, 160);
+        // No sample lies exactly on a side.
+        let camera = Camera { eye: [0.013, 0.007, 4.0], ..CAMERA };
+        let view = View::new(&shot, &camera, [DOWNSAMPLING * width, DOWNSAMPLING * height]);
+        let surface = Surface::new(&shot, &view);
+        let finish = Finish::new(&shot, 0.0);
+        let triangles = ScreenTriangles::new(&surface, &finish, &view);
+        assert!(triangles.large.len() > 150, "{} large triangles", triangles.large.len());
+        let (width, height) = (DOWNSAMPLING * width, DOWNSAMPLING * height);
+        let (mut nearest, mut expected) = (vec![0.0; width * height], vec![NONE; width * height]);
+        for (index, triangle) in (0..).zip(surface.triangles) {
+            let corners = triangle.map(|v| triangles.points[v as usize]);
+            let [a, b, c] = corners;
+            let area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+            for at in 0..width * height {
+                let (x, y) = ((at % width) as f32 + 0.5, (at / width) as f32 + 0.5);
+                let weight = |(p, q): (ScreenPoint, ScreenPoint)| {
+                    ((p.x - x) * (q.y - y) - (p.y - y) * (q.x - x)) * area.signum()
+                };
+                let weights = sides(&corners).map(weight);
+                let [wa, wb, wc] = weights.map(|weight| weight / area.abs());
+                let depth = wa * a.inverse_depth + wb * b.inverse_depth + wc * c.inverse_depth;
+                if weights.iter().all(|&weight| weight > 0.0) && depth > nearest[at] {
+                    (nearest[at], expected[at]) = (depth, index);
+                }
+            }
+        }
+        let picture = Picture { triangles, lines: Vec::new(), surface, finish, view };
+        for rows in [height, 21] {
+            for start in (0..height).step_by(rows) {
+                let band = start..(start + rows).min(height);
+                let found = picture.nearest_triangles(&mut vec![0.0; width * band.len()], &band, width);
+                let expected = &expected[start * width..][..found.len()];
+                let count = (0..found.len()).filter(|&at| found[at] != expected[at]).count();
+                assert_eq!(count, 0, "samples of rows {band:?} that differ");
             }
         }
     }

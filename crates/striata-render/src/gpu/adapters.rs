@@ -13,19 +13,30 @@ use crate::gpu::gpu_error::{GpuError, RejectedAdapter};
 /// Constraints on the adapter to open.
 #[derive(Clone, Debug, Default)]
 pub struct GpuOptions {
-    /// Whether to accept only CPU adapters (llvmpipe, WARP, SwiftShader). Default: false, which picks the
-    /// fastest adapter.
-    pub is_fallback: bool,
+    /// Kind of adapters to accept. Default: all, of which the fastest is picked.
+    pub kind: AdapterKind,
     /// Text that the adapter's name must contain, ignoring case. Default: the value of
     /// `WGPU_ADAPTER_NAME`, or else any name.
     pub adapter_name: Option<String>,
+}
+
+/// Kind of adapters that may be opened; a requested name goes before [`Any`](Self::Any) and [`Gpu`](Self::Gpu).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum AdapterKind {
+    /// All adapters.
+    #[default]
+    Any,
+    /// Those with a processor of their own.
+    Gpu,
+    /// Those that draw on the CPU: llvmpipe, WARP, SwiftShader.
+    Cpu,
 }
 
 impl GpuOptions {
     /// The requested name in lower case; none for CPU adapters.
     fn requested_name(&self) -> Option<String> {
         let named = self.adapter_name.clone().or_else(|| std::env::var("WGPU_ADAPTER_NAME").ok())?;
-        (!named.is_empty() && !self.is_fallback).then(|| named.to_lowercase())
+        (!named.is_empty() && self.kind != AdapterKind::Cpu).then(|| named.to_lowercase())
     }
 }
 
@@ -76,7 +87,11 @@ pub fn choose_adapter<T>(
             let info = adapter.get_info();
             let is_requested = match &requested {
                 Some(name) => info.name.to_lowercase().contains(name),
-                None => !options.is_fallback || info.device_type == DeviceType::Cpu,
+                None => match options.kind {
+                    AdapterKind::Any => true,
+                    AdapterKind::Gpu => info.device_type != DeviceType::Cpu,
+                    AdapterKind::Cpu => info.device_type == DeviceType::Cpu,
+                },
             };
             let name = format!("{} ({})", info.name, info.backend);
             known.push(info.name);
@@ -96,7 +111,7 @@ pub fn choose_adapter<T>(
     known.dedup();
     Err(match requested {
         Some(name) => GpuError::NoSuchAdapter { name, known },
-        None => GpuError::NoAdapter { is_fallback: options.is_fallback },
+        None => GpuError::NoAdapter { kind: options.kind },
     })
 }
 

@@ -129,10 +129,10 @@ fn one_line(error: &wgpu::Error) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gpu::adapters::GpuOptions;
+    use crate::gpu::adapters::{AdapterKind, GpuOptions};
 
     fn on_processor() -> Gpu {
-        let found = Gpu::new(&GpuOptions { is_fallback: true, ..GpuOptions::default() });
+        let found = Gpu::new(&GpuOptions { kind: AdapterKind::Cpu, ..GpuOptions::default() });
         found.or_else(|_| Gpu::new(&GpuOptions::default())).expect("an adapter")
     }
 

@@ -4,15 +4,21 @@ use std::fmt;
 
 use striata::mesh::MeshError;
 
+use super::adapters::AdapterKind;
+
 /// Why something could not be drawn.
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum GpuError {
     /// No suitable adapter was found.
-    #[error("found no {}graphics adapter", if *.is_fallback { "CPU " } else { "" })]
+    #[error("found no {}", match .kind {
+        AdapterKind::Any => "graphics adapter",
+        AdapterKind::Gpu => "GPU",
+        AdapterKind::Cpu => "CPU graphics adapter",
+    })]
     NoAdapter {
-        /// Whether only CPU adapters were considered.
-        is_fallback: bool,
+        /// Kind of adapters that were considered.
+        kind: AdapterKind,
     },
     /// Adapters were found, but none of them can draw.
     #[error("no graphics adapter can draw: {}", joined(.rejected))]

@@ -145,7 +145,7 @@ fn changed_ranges(uploaded_words: &[u64], words: &[u64]) -> Vec<Range<usize>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gpu::adapters::GpuOptions;
+    use crate::gpu::adapters::{AdapterKind, GpuOptions};
     use striata::mesh::shapes;
     use striata::model::{FanForm, Fans};
     use striata::simplify::build_sequence;
@@ -165,7 +165,7 @@ mod tests {
     /// per row.
     #[test]
     fn dispatches_of_several_rows_extract_the_same_triangles() {
-        let on_processor = Gpu::new(&GpuOptions { is_fallback: true, ..GpuOptions::default() });
+        let on_processor = Gpu::new(&GpuOptions { kind: AdapterKind::Cpu, ..GpuOptions::default() });
         let gpu = on_processor.or_else(|_| Gpu::new(&GpuOptions::default())).expect("an adapter");
         let mesh = shapes::icosphere(4, 1.0);
         let built = build_sequence(&mesh, &Default::default()).unwrap();

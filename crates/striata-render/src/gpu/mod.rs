@@ -80,7 +80,7 @@ mod projection;
 mod renderer;
 mod vertices;
 
-pub use adapters::{ChosenAdapter, GpuOptions, choose_adapter};
+pub use adapters::{AdapterKind, ChosenAdapter, GpuOptions, choose_adapter};
 pub use canvas::{Canvas, Picture};
 pub use device::Gpu;
 pub use drawing::Drawing;

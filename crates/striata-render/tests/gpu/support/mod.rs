@@ -2,12 +2,12 @@
 
 pub(crate) mod lit;
 
-use striata_render::gpu::{Gpu, GpuOptions, Picture};
+use striata_render::gpu::{AdapterKind, Gpu, GpuOptions, Picture};
 
 /// Opens a CPU adapter, which draws the same everywhere. Fails if no adapter is available, so that tests
 /// never pass untested.
 pub(crate) fn gpu() -> Gpu {
-    let fallback = Gpu::new(&GpuOptions { is_fallback: true, ..GpuOptions::default() });
+    let fallback = Gpu::new(&GpuOptions { kind: AdapterKind::Cpu, ..GpuOptions::default() });
     fallback
         .or_else(|_| Gpu::new(&GpuOptions::default()))
         .expect("these tests need a graphics adapter; install mesa-vulkan-drivers for a CPU one")
