@@ -6,7 +6,7 @@ use libfuzzer_sys::fuzz_target;
 use striata::file::{FileModel, StriataFile, WriteOptions, to_striata};
 use striata::mesh::{RefinableMesh, canonical_triangles, replay};
 use striata::model::{Fans, LodModel, LodStrips, Mts};
-use striata::simplify::{BoundaryRule, CollapseCost, SequenceOptions, build_sequence};
+use striata::simplify::{BoundaryRule, CostFunction, SequenceOptions, build_sequence};
 use striata::strip::stripify;
 use striata_fuzz::Bytes;
 use striata_lab::MtsGraph;
@@ -24,8 +24,8 @@ fuzz_target!(|data: &[u8]| {
 
 fn options(bytes: &mut Bytes<'_>) -> SequenceOptions {
     let choice = bytes.byte();
-    let costs = [CollapseCost::Memoryless, CollapseCost::Accumulated, CollapseCost::Tracked];
-    let mut options = SequenceOptions::default().with_cost(costs[usize::from(choice % 3)]);
+    let costs = CostFunction::ALL;
+    let mut options = SequenceOptions::default().with_cost(costs[usize::from(choice) % costs.len()]);
     if choice & 8 != 0 {
         options = options.with_boundary(BoundaryRule::Locked);
     }

@@ -5,8 +5,8 @@ use std::borrow::Cow;
 use striata::ProgressFn;
 use striata::mesh::{Appearance, FragmentedMesh, IndexedMesh, Material, Steps, Welded};
 use striata::simplify::{
-    BatchOptions, BoundaryRule, BuiltSequence, CollapseCost, HoleCriterion, PlacedOptions, RemovalOptions,
-    RemovalOrder, Retriangulation, SeamRule, SequenceOptions, SimplifyError, StopReason, TopologyRule,
+    BatchOptions, BoundaryRule, BuiltSequence, HoleCriterion, PlacedOptions, RemovalOptions, RemovalOrder,
+    Retriangulation, SeamRule, SequenceOptions, SimplifyError, StopReason, TopologyRule,
     build_welded_batches_with_progress, build_welded_fragments_with_progress,
     build_welded_placed_fragments_with_progress, build_welded_sequence_with_progress,
     certify_collapses_in_any_state_with_progress, certify_collapses_with_progress, certify_with_progress,
@@ -15,7 +15,7 @@ use striata::simplify::{
 use striata_io::texcoord_scale;
 use striata_scene::drawn::base_colors_of_mesh;
 
-use crate::args::{CostArg, Length, OrderArg, RetriangulationArg, SequenceArgs};
+use crate::args::{Length, OrderArg, RetriangulationArg, SequenceArgs};
 use crate::failure::Failure;
 use crate::output::{Output, format_noun_count};
 
@@ -291,7 +291,7 @@ impl SequenceArgs {
                     .with_topology(topology)
                     .with_attribute_weights(self.weights.weights());
                 options.height_field = self.keep_height_field.then_some(true);
-                options.cost = self.cost.map_or_else(CollapseCost::default, CollapseCost::from);
+                options.cost = self.cost.unwrap_or_default();
                 options.base_triangle_count = base_triangle_count;
                 options.max_error = max_error;
                 options.pair_distance = self.pair_distance.map(|distance| distance.in_units(diagonal));
@@ -398,16 +398,6 @@ impl SequenceArgs {
 /// Converts an optional limit to mesh units.
 pub fn limit_in_units(limit: Option<Length>, diagonal: f64) -> Option<f64> {
     limit.map(|error| error.in_units(diagonal))
-}
-
-impl From<CostArg> for CollapseCost {
-    fn from(cost: CostArg) -> Self {
-        match cost {
-            CostArg::Memoryless => Self::Memoryless,
-            CostArg::Accumulated => Self::Accumulated,
-            CostArg::Tracked => Self::Tracked,
-        }
-    }
 }
 
 /// Returns the scales of the texture coordinates of each material.

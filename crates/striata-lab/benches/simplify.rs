@@ -5,7 +5,7 @@
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use striata::mesh::{IndexedMesh, shapes, weld};
-use striata::simplify::{CollapseCost, SequenceOptions, build_welded_sequence};
+use striata::simplify::{CostFunction, SequenceOptions, build_welded_sequence};
 
 fn meshes() -> Vec<(String, IndexedMesh)> {
     let mut meshes = vec![
@@ -38,11 +38,8 @@ fn simplify(c: &mut Criterion) {
             }
         };
         group.throughput(Throughput::Elements(welded.mesh.triangle_count() as u64));
-        for (id, cost) in [
-            ("full", CollapseCost::Memoryless),
-            ("full_accumulated", CollapseCost::Accumulated),
-            ("full_tracked", CollapseCost::Tracked),
-        ] {
+        for &cost in CostFunction::ALL {
+            let id = if cost == CostFunction::default() { "full" } else { &format!("full_{}", cost.name()) };
             let options = SequenceOptions::default().with_cost(cost);
             group.bench_function(format!("{name}/{id}"), |b| {
                 b.iter_batched(

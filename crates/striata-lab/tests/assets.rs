@@ -5,14 +5,14 @@ use striata_testing::meshes;
 
 use striata_testing::support;
 
-use meshes::{COSTS, asset, random_options};
+use meshes::{asset, random_options};
 use proptest::prelude::*;
 use striata::mesh::{
     DistanceOptions, FragmentedMesh, RefinableMesh, canonical_triangles, replay, surface_distance,
 };
 use striata::model::{Fans, LodModel, LodStrips, Mts, Patterns};
 use striata::simplify::{
-    RemovalOptions, SequenceOptions, build_fragments, build_sequence, certify_collapses,
+    CostFunction, RemovalOptions, SequenceOptions, build_fragments, build_sequence, certify_collapses,
 };
 use striata::strip::stripify;
 use support::{follows_the_fragments, follows_the_oracle};
@@ -20,7 +20,7 @@ use support::{follows_the_fragments, follows_the_oracle};
 fn refinable_asset(piece_count: usize, seed: u64, cost: usize) -> RefinableMesh {
     let mesh = asset(piece_count, seed);
     let options = match seed % 2 {
-        0 => SequenceOptions::default().with_cost(COSTS[cost]),
+        0 => SequenceOptions::default().with_cost(CostFunction::ALL[cost]),
         _ => random_options(&mesh, seed, cost),
     };
     build_sequence(&mesh, &options).expect("assets are sound").refinable
@@ -30,7 +30,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
     #[test]
-    fn strip_models_follow_the_oracle(pieces in 1usize..7, seed: u64, cost in 0usize..3) {
+    fn strip_models_follow_the_oracle(pieces in 1usize..7, seed: u64, cost in 0..CostFunction::ALL.len()) {
         let refinable = refinable_asset(pieces, seed, cost);
         let strips = stripify(&refinable.mesh).expect("full meshes are sound");
         let lod_strips = LodStrips::build(&refinable, &strips).expect("the strips are the mesh's");
@@ -48,13 +48,13 @@ proptest! {
     }
 
     #[test]
-    fn fans_follow_the_oracle(pieces in 1usize..7, seed: u64, cost in 0usize..3) {
+    fn fans_follow_the_oracle(pieces in 1usize..7, seed: u64, cost in 0..CostFunction::ALL.len()) {
         let refinable = refinable_asset(pieces, seed, cost);
         follows_the_oracle(&refinable, &Fans::build(&refinable), 3);
     }
 
     #[test]
-    fn patterns_follow_the_oracle(pieces in 1usize..5, seed: u64, cost in 0usize..3) {
+    fn patterns_follow_the_oracle(pieces in 1usize..5, seed: u64, cost in 0..CostFunction::ALL.len()) {
         let refinable = refinable_asset(pieces, seed, cost);
         let fragmented = FragmentedMesh::from_collapses(&refinable);
         follows_the_oracle(&refinable, &Patterns::build(&fragmented).expect("fragments are sound"), 3);

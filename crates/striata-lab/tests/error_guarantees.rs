@@ -3,12 +3,12 @@
 use striata_testing::meshes;
 
 use glam::DVec3;
-use meshes::{COSTS, asset, folded, inside_out, random_options};
+use meshes::{asset, folded, inside_out, random_options};
 use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, Random, RefinableMesh, replay, replay_fragments, shapes, weld};
 use striata::simplify::{
-    RemovalOptions, Retriangulation, SequenceOptions, build_fragments, build_sequence, certify_collapses,
-    certify_collapses_in_any_state,
+    CostFunction, RemovalOptions, Retriangulation, SequenceOptions, build_fragments, build_sequence,
+    certify_collapses, certify_collapses_in_any_state,
 };
 
 fn position(mesh: &IndexedMesh, v: u32) -> DVec3 {
@@ -141,7 +141,7 @@ fn special() -> Vec<(&'static str, IndexedMesh)> {
 fn errors_hold_when_parts_vanish_and_fold() {
     let mut shares = Vec::new();
     for (name, mesh) in special() {
-        for cost in COSTS {
+        for &cost in CostFunction::ALL {
             let options = SequenceOptions::default().with_cost(cost);
             let built = build_sequence(&mesh, &options).expect("they are sound");
             shares.extend(errors_hold(name, &built.refinable, 12));
@@ -166,7 +166,7 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn certified_errors_hold_on_assets(pieces in 1usize..6, seed: u64, cost in 0usize..3) {
+    fn certified_errors_hold_on_assets(pieces in 1usize..6, seed: u64, cost in 0..CostFunction::ALL.len()) {
         let mesh = asset(pieces, seed);
         let options = random_options(&mesh, seed, cost);
         let built = build_sequence(&mesh, &options).expect("assets are sound");

@@ -3,7 +3,7 @@
 use pyo3::prelude::*;
 use striata::Target;
 use striata::simplify::{
-    AttributeWeights, BoundaryRule, CollapseCost, SeamRule, SequenceOptions, StopReason, TopologyRule,
+    AttributeWeights, BoundaryRule, CostFunction, SeamRule, SequenceOptions, StopReason, TopologyRule,
 };
 
 use crate::errors::{Outcome, value_error};
@@ -28,16 +28,9 @@ pub(crate) struct SimplifyArguments {
 impl SimplifyArguments {
     /// Converts to the library's options.
     pub(crate) fn sequence(self) -> Outcome<SequenceOptions> {
+        let costs: Vec<_> = CostFunction::ALL.iter().map(|cost| (cost.name(), *cost)).collect();
         let mut options = SequenceOptions::default()
-            .with_cost(choice(
-                "cost",
-                &self.cost,
-                &[
-                    ("memoryless", CollapseCost::Memoryless),
-                    ("accumulated", CollapseCost::Accumulated),
-                    ("tracked", CollapseCost::Tracked),
-                ],
-            )?)
+            .with_cost(choice("cost", &self.cost, &costs)?)
             .with_boundary(choice(
                 "boundary",
                 &self.boundary,

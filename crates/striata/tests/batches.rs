@@ -5,7 +5,7 @@ use striata_testing::{meshes, simplifier, support, test_guarantees};
 
 use std::collections::BTreeSet;
 
-use meshes::{COSTS, NamedMesh, all, asset, check_each_variant, closed, open, rough, with_patches};
+use meshes::{NamedMesh, all, asset, by_cost, check_each_variant, closed, open, rough, with_patches};
 use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, RefinableMesh, Statistics, canonical_triangles, replay, shapes, weld};
 use striata::simplify::{
@@ -183,8 +183,8 @@ fn batches_satisfy_the_guarantees_on_all_meshes() {
 
 #[test]
 fn batches_satisfy_the_guarantees_with_every_cost() {
-    let variants =
-        COSTS.map(|cost| ("", unlimited().with_sequence(SequenceOptions::default().with_cost(cost))));
+    let variants: Vec<_> =
+        by_cost().into_iter().map(|(_, options)| ("", unlimited().with_sequence(options))).collect();
     check_all([closed(), open()].concat(), &variants);
 }
 

@@ -4,12 +4,11 @@
 use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, Random, replay, replay_fragments, shapes};
 use striata::simplify::{
-    BatchOptions, CollapseCost, PlacedOptions, Placement, RemovalOptions, RemovalOrder, Retriangulation,
+    BatchOptions, CostFunction, PlacedOptions, Placement, RemovalOptions, RemovalOrder, Retriangulation,
     SequenceOptions, SimplifyOptions, Target, TopologyRule, build_batches, build_fragments,
     build_placed_fragments, build_sequence, simplify,
 };
 
-const COSTS: [CollapseCost; 3] = [CollapseCost::Memoryless, CollapseCost::Accumulated, CollapseCost::Tracked];
 const SHARES: [f64; 4] = [0.9, 0.7, 0.5, 0.3];
 /// Share of the diagonal by which a corner may be off the plane of a face.
 const OFF_PLANE: f64 = 1e-5;
@@ -55,7 +54,7 @@ fn check_faces(name: &str, level: &IndexedMesh, planes: &[Plane]) {
 fn check_everything(name: &str, mesh: &IndexedMesh, planes: &[Plane]) {
     let targets = SHARES.map(|share| Target::Triangles((share * mesh.triangle_count() as f64) as usize));
     check_faces(name, mesh, planes);
-    for cost in COSTS {
+    for &cost in CostFunction::ALL {
         check_collapses(name, mesh, &SequenceOptions::default().with_cost(cost), &targets, planes);
     }
     let built = build_batches(mesh, &BatchOptions::default()).expect("valid").built;
@@ -301,7 +300,7 @@ proptest! {
             check_everything(name, &mesh, &[plane]);
             // Collapses that preserve the topology never fold, however far they go.
             let shares = [0.2, 0.1, 0.05, 0.0].map(|share| Target::Triangles((share * 98.0) as usize));
-            for cost in COSTS {
+            for &cost in CostFunction::ALL {
                 let options = SequenceOptions::default().with_cost(cost).with_topology(TopologyRule::Keep);
                 check_collapses(name, &mesh, &options, &shares, &[plane]);
             }

@@ -8,7 +8,7 @@ use striata_testing::support;
 use proptest::prelude::*;
 use striata::mesh::{AttributeLayer, RefinableMesh, Semantic, canonical_triangles, replay};
 use striata::model::{FanInstance, FanMorphs, Fans, Geomorph, LodModel, VertexBlend};
-use striata::simplify::build_sequence;
+use striata::simplify::{CostFunction, build_sequence};
 use support::{
     Case, Random, RandomSequenceOptions, grid, hub_cases, nasty_cases, random_refinable, seam_cases, soups,
     with_seams_and_groups,
@@ -373,7 +373,7 @@ proptest! {
     }
 
     #[test]
-    fn random_assets_morph_without_jumps(pieces in 1usize..4, seed: u64, cost in 0usize..3) {
+    fn random_assets_morph_without_jumps(pieces in 1usize..4, seed: u64, cost in 0..CostFunction::ALL.len()) {
         let mesh = meshes::asset(pieces, seed);
         let options = meshes::random_options(&mesh, seed, cost);
         let refinable = build_sequence(&mesh, &options).unwrap().refinable;

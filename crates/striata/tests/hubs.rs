@@ -2,7 +2,7 @@
 //! collapse, these meshes take minutes.
 
 use striata::mesh::{IndexedMesh, replay, shapes};
-use striata::simplify::{CollapseCost, SequenceOptions, Target, build_sequence};
+use striata::simplify::{CostFunction, SequenceOptions, Target, build_sequence};
 
 const COUNT: u32 = 4000;
 
@@ -27,7 +27,7 @@ fn hubs_are_reduced_to_a_few_triangles() {
         ("fin", fin(COUNT / 2)),
     ];
     for (name, mesh) in meshes {
-        for cost in [CollapseCost::Memoryless, CollapseCost::Accumulated] {
+        for cost in [CostFunction::Memoryless, CostFunction::Accumulated] {
             let options = SequenceOptions::default().with_cost(cost);
             let built = build_sequence(&mesh, &options).expect("valid");
             for count in [1000, 300, 100, 20, 2] {

@@ -5,7 +5,7 @@ use striata_testing::{meshes, simplifier, support, test_guarantees};
 
 use std::collections::BTreeSet;
 
-use meshes::{COSTS, all, check_each, closed, open, with_patches};
+use meshes::{all, check_each, closed, open, with_patches};
 use proptest::prelude::*;
 use simplifier::{Simplifier, boundary_of, group_border_of, key, positions_of};
 use striata::file::{WriteOptions, to_striata};
@@ -14,7 +14,8 @@ use striata::mesh::{
     shapes, weld,
 };
 use striata::simplify::{
-    BoundaryRule, BuiltSequence, SeamRule, SequenceOptions, StopReason, TopologyRule, build_sequence,
+    BoundaryRule, BuiltSequence, CostFunction, SeamRule, SequenceOptions, StopReason, TopologyRule,
+    build_sequence,
 };
 use support::Topology;
 
@@ -284,16 +285,16 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
-    fn random_soups_satisfy_the_guarantees(count in 1u32..160, seed: u64, cost in 0usize..3) {
+    fn random_soups_satisfy_the_guarantees(count in 1u32..160, seed: u64, cost in 0..CostFunction::ALL.len()) {
         let mesh = shapes::random_soup(count, seed);
-        let options = SequenceOptions::default().with_cost(COSTS[cost]);
+        let options = SequenceOptions::default().with_cost(CostFunction::ALL[cost]);
         check_sequence("soup", &mesh, &build(&mesh, &options));
     }
 
     #[test]
-    fn random_assets_satisfy_the_guarantees(pieces in 1usize..9, seed: u64, cost in 0usize..3, locks: bool) {
+    fn random_assets_satisfy_the_guarantees(pieces in 1usize..9, seed: u64, cost in 0..CostFunction::ALL.len(), locks: bool) {
         let mesh = meshes::asset(pieces, seed);
-        let mut options = SequenceOptions::default().with_cost(COSTS[cost]);
+        let mut options = SequenceOptions::default().with_cost(CostFunction::ALL[cost]);
         if locks {
             options = options.with_locked_vertices((0..mesh.vertex_count() as u32).step_by(29).collect());
         }
@@ -311,7 +312,7 @@ proptest! {
     }
 
     #[test]
-    fn random_options_satisfy_the_guarantees(pieces in 1usize..7, seed: u64, cost in 0usize..3) {
+    fn random_options_satisfy_the_guarantees(pieces in 1usize..7, seed: u64, cost in 0..CostFunction::ALL.len()) {
         let mesh = meshes::asset(pieces, seed);
         let options = meshes::random_options(&mesh, seed, cost);
         let built = build(&mesh, &options);
@@ -334,11 +335,11 @@ proptest! {
         (rings, segments) in (3u32..12, 3u32..12),
         run in 1usize..40,
         seed: u64,
-        cost in 0usize..3,
+        cost in 0..CostFunction::ALL.len(),
     ) {
         let rough = meshes::rough(shapes::torus(rings, segments, 2.0, 1.0), 0.2, seed);
         let mesh = with_patches(rough, run);
-        let options = SequenceOptions::default().with_cost(COSTS[cost]).with_topology(TopologyRule::Keep);
+        let options = SequenceOptions::default().with_cost(CostFunction::ALL[cost]).with_topology(TopologyRule::Keep);
         let built = build(&mesh, &options);
         check_sequence("patches", &mesh, &built);
         for split_count in 0..=built.refinable.sequence.step_count() {

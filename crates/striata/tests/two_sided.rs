@@ -4,7 +4,7 @@ use striata_testing::meshes;
 
 use striata::mesh::{DistanceOptions, IndexedMesh, replay_fragments, shapes, surface_distance};
 use striata::simplify::{
-    BoundaryRule, CollapseCost, Placement, RemovalOptions, RemovalOrder, SeamRule, SequenceOptions,
+    BoundaryRule, CostFunction, Placement, RemovalOptions, RemovalOrder, SeamRule, SequenceOptions,
     SimplifyOptions, Target, build_fragments, simplify,
 };
 
@@ -39,7 +39,7 @@ fn levels_keep_the_border() {
         ]
     };
     for (name, mesh) in two_sided_sheets() {
-        for cost in [CollapseCost::Memoryless, CollapseCost::Accumulated, CollapseCost::Tracked] {
+        for &cost in CostFunction::ALL {
             for options in rules(SequenceOptions::default().with_cost(cost)) {
                 let name = format!("{name}, {cost:?}, {:?}, {:?}", options.boundary, options.seams);
                 let options = SimplifyOptions::default().with_sequence(options).with_target(half(&mesh));

@@ -25,7 +25,7 @@ pub use self::pose::{PoseArgs, find_entry};
 pub use self::report::DriverArgs;
 pub use self::report::ReportArgs;
 pub use self::scene::{EditArgs, FlatArgs, RasterArgs, TextureArgs};
-pub use self::sequence::{CostArg, OrderArg, RetriangulationArg, SequenceArgs};
+pub use self::sequence::{OrderArg, RetriangulationArg, SequenceArgs};
 pub use self::stream::{EffortArg, StreamArgs};
 pub use self::strips::{BUILD_STRIPS, STRIPS, StripSearchArgs, parse_at_least_zero, strips_help};
 pub use self::view::{AxisAlignedBox, Point, ViewArgs, Viewport, tan};

@@ -1,8 +1,10 @@
 //! Flags of the verbs that simplify: the order of the steps, and what they must preserve.
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use striata::simplify::{
-    AttributeWeights, HoleCriterion, PlacedCollapse, RemovalOptions, RemovalOrder, Retriangulation,
+    AttributeWeights, CostFunction, HoleCriterion, PlacedCollapse, RemovalOptions, RemovalOrder,
+    Retriangulation,
 };
 
 use super::Length;
@@ -41,10 +43,15 @@ pub struct SequenceArgs {
     /// do; some levels become unreachable
     #[arg(long)]
     pub keep_height_field: bool,
-    /// Cost function: memoryless (current mesh only), accumulated (sum of all quadrics) or tracked (distance
-    /// of every removed vertex; slower, best at coarse levels) [default: memoryless]
-    #[arg(long, hide_possible_values = true, help_heading = QUADRIC)]
-    pub cost: Option<CostArg>,
+    /// Cost function; the default is that of the library.
+    #[arg(
+        long,
+        hide_possible_values = true,
+        help_heading = QUADRIC,
+        value_parser = cost_parser(),
+        help = cost_help(),
+    )]
+    pub cost: Option<CostFunction>,
     /// Also merge disconnected parts that are closer than this (mesh units, or % of the diagonal)
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true, help_heading = QUADRIC)]
     pub pair_distance: Option<Length>,
@@ -206,15 +213,25 @@ impl OrderArg {
     }
 }
 
-/// Cost function of a collapse.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum CostArg {
-    /// Quadrics of the current mesh only: fast, best at fine levels
-    Memoryless,
-    /// Sum of all quadrics of the history: the classic cost
-    Accumulated,
-    /// Distance of every removed vertex: slower, best at coarse levels
-    Tracked,
+/// Parses the name of a cost function; those that may be given are in the help.
+fn cost_parser() -> impl TypedValueParser<Value = CostFunction> {
+    let names = CostFunction::ALL.iter().map(|cost| cost.name());
+    PossibleValuesParser::new(names).try_map(|name| {
+        CostFunction::ALL.iter().copied().find(|cost| cost.name() == name).ok_or("no such cost function")
+    })
+}
+
+fn cost_help() -> String {
+    let mut costs = String::new();
+    for (i, cost) in CostFunction::ALL.iter().enumerate() {
+        let separator = match CostFunction::ALL.len() - i {
+            _ if i == 0 => "",
+            1 => " or ",
+            _ => ", ",
+        };
+        costs += &format!("{separator}{} ({})", cost.name(), cost.help());
+    }
+    format!("Cost function: {costs} [default: {}]", CostFunction::default().name())
 }
 
 /// How the hole of a removed vertex is filled.

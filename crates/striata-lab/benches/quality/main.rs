@@ -30,7 +30,7 @@ use std::io::Write;
 use striata::ignore_progress;
 use striata::mesh::{FragmentedMesh, IndexedMesh, RefinableMesh, Welded, weld};
 use striata::simplify::{
-    BatchOptions, CollapseCost, HoleCriterion, PlacedCollapse, PlacedOptions, RemovalOptions, RemovalOrder,
+    BatchOptions, CostFunction, HoleCriterion, PlacedCollapse, PlacedOptions, RemovalOptions, RemovalOrder,
     SequenceOptions, SimplifyError, build_welded_batches, build_welded_fragments,
     build_welded_placed_fragments_with_progress, build_welded_sequence,
 };
@@ -54,7 +54,7 @@ struct Request {
 impl Request {
     fn parse(mut arguments: impl Iterator<Item = String>) -> Fallible<Self> {
         let mut request = Self {
-            simplifiers: vec![Simplifier::Collapses(CollapseCost::Memoryless)],
+            simplifiers: vec![Simplifier::Collapses(CostFunction::Memoryless)],
             has_optimal: false,
             has_guarantees: false,
             sample_count: 500_000,
@@ -83,7 +83,7 @@ impl Request {
 #[derive(Clone, Copy)]
 enum Simplifier {
     /// Half-edge collapses ordered by a cost.
-    Collapses(CollapseCost),
+    Collapses(CostFunction),
     /// Memoryless collapses in batches, as in a progressive stream of 12 bits.
     Batches,
     /// Vertex removals with holes filled freely, ordered by squared distances, gaps and the largest distance.
@@ -96,16 +96,16 @@ enum Simplifier {
 
 impl Simplifier {
     /// All that `--cost` can name.
-    const ALL: [Self; 8] = [
-        Self::Collapses(CollapseCost::Memoryless),
-        Self::Collapses(CollapseCost::Accumulated),
-        Self::Collapses(CollapseCost::Tracked),
-        Self::Batches,
-        Self::Removal,
-        Self::StrictRemoval,
-        Self::Placed(PlacedCollapse::Edge),
-        Self::Placed(PlacedCollapse::Triangle),
-    ];
+    fn all() -> impl Iterator<Item = Self> {
+        let others = [
+            Self::Batches,
+            Self::Removal,
+            Self::StrictRemoval,
+            Self::Placed(PlacedCollapse::Edge),
+            Self::Placed(PlacedCollapse::Triangle),
+        ];
+        CostFunction::ALL.iter().map(|&cost| Self::Collapses(cost)).chain(others)
+    }
 
     /// Whether `--cost all` includes it: steps of the orders that any model or stream is built from.
     fn is_common(self) -> bool {
@@ -114,7 +114,7 @@ impl Simplifier {
 
     fn name(self) -> String {
         match self {
-            Self::Collapses(cost) => format!("{cost:?}").to_lowercase(),
+            Self::Collapses(cost) => cost.name().to_owned(),
             Self::Batches => "batches".to_owned(),
             Self::Removal => "hausdorff".to_owned(),
             Self::StrictRemoval => "hausdorff-strict".to_owned(),
@@ -171,7 +171,7 @@ fn simplifiers_of(name: &str) -> Fallible<Vec<Simplifier>> {
     let is_chosen = |simplifier: &Simplifier| {
         name == "all" && simplifier.is_common() || name.split(',').any(|n| simplifier.name() == n)
     };
-    let chosen: Vec<_> = Simplifier::ALL.into_iter().filter(is_chosen).collect();
+    let chosen: Vec<_> = Simplifier::all().filter(is_chosen).collect();
     if chosen.is_empty() { Err(format!("unknown cost {name}").into()) } else { Ok(chosen) }
 }
 

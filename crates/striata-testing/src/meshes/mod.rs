@@ -8,12 +8,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use striata::mesh::{
     AttributeLayer, IndexedMesh, LayerData, Material, Random, Semantic, TriangleGroup, shapes,
 };
-use striata::simplify::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions, TopologyRule};
+use striata::simplify::{BoundaryRule, CostFunction, SeamRule, SequenceOptions, TopologyRule};
 
 pub use nasty::nasty;
-
-pub const COSTS: [CollapseCost; 3] =
-    [CollapseCost::Memoryless, CollapseCost::Accumulated, CollapseCost::Tracked];
 
 pub type NamedMesh = (String, IndexedMesh);
 
@@ -81,7 +78,10 @@ pub fn check_each(meshes: Vec<NamedMesh>, check: impl Fn(&str, &IndexedMesh, &Se
 
 /// Returns options with each cost.
 pub fn by_cost() -> Vec<(String, SequenceOptions)> {
-    COSTS.into_iter().map(|cost| (format!("{cost:?}"), SequenceOptions::default().with_cost(cost))).collect()
+    CostFunction::ALL
+        .iter()
+        .map(|&cost| (format!("{cost:?}"), SequenceOptions::default().with_cost(cost)))
+        .collect()
 }
 
 /// Runs a check on each mesh with each of several named options, and fails with a list of all failures.
@@ -230,7 +230,7 @@ pub fn inside_out(mesh: IndexedMesh) -> IndexedMesh {
 pub fn random_options(mesh: &IndexedMesh, seed: u64, cost: usize) -> SequenceOptions {
     let mut random = Random::new(seed ^ 0x5EED);
     let mut one_in = |n: u32| random.below(n) == 0;
-    let mut options = SequenceOptions::default().with_cost(COSTS[cost]);
+    let mut options = SequenceOptions::default().with_cost(CostFunction::ALL[cost]);
     if one_in(3) {
         options = options.with_locked_vertices((0..mesh.vertex_count() as u32).step_by(29).collect());
     }

@@ -36,10 +36,11 @@ pub use collapse::batches::{
     BatchOptions, BuiltBatches, build_batches, build_batches_with_progress, build_welded_batches,
     build_welded_batches_with_progress,
 };
+pub use collapse::costs::CostFunction;
 pub use fit::{fit_level, fit_level_with_progress, fit_within};
 pub use options::{
-    AttributeWeights, BoundaryRule, BuiltSequence, CollapseCost, Placement, SeamRule, SequenceOptions,
-    Simplified, SimplifyError, SimplifyOptions, StopReason, Target, TopologyRule,
+    AttributeWeights, BoundaryRule, BuiltSequence, Placement, SeamRule, SequenceOptions, Simplified,
+    SimplifyError, SimplifyOptions, StopReason, Target, TopologyRule,
 };
 pub use place::{
     BuiltPlaced, PlacedCollapse, PlacedOptions, build_placed_fragments, build_placed_fragments_with_progress,

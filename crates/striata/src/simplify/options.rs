@@ -4,6 +4,7 @@ use crate::mesh::{AttributeLayer, FragmentError, IndexedMesh, MeshError, Refinab
 use crate::setters::setters;
 
 use super::base_color::BaseColor;
+use super::collapse::costs::CostFunction;
 
 /// The level of detail to simplify to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,20 +50,6 @@ impl StopReason {
             Self::InputEnded => "input_ended",
         }
     }
-}
-
-/// Cost function that orders the collapses.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum CollapseCost {
-    /// Memoryless quadrics with volume and distance terms over the current mesh: fast, and the best at
-    /// mild levels.
-    #[default]
-    Memoryless,
-    /// Accumulated quadrics \[GH97\], the classic.
-    Accumulated,
-    /// Distances of all removed vertices from the current mesh: slower, and the best at coarse levels.
-    Tracked,
 }
 
 /// How boundary edges, or edges between triangle groups, are treated.
@@ -138,8 +125,8 @@ impl AttributeWeights {
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct SequenceOptions {
-    /// Cost function that orders the collapses; default [`CollapseCost::Memoryless`].
-    pub cost: CollapseCost,
+    /// Cost function that orders the collapses; default [`CostFunction::Memoryless`].
+    pub cost: CostFunction,
     /// Stop once no more triangles than this are left; default 0, which simplifies as far as possible.
     pub base_triangle_count: usize,
     /// Stop before a step's error exceeds this, in mesh units; default none.
@@ -209,7 +196,7 @@ impl SequenceOptions {
     }
 
     setters! {
-        with_cost, cost: CollapseCost;
+        with_cost, cost: CostFunction;
         with_base_triangle_count, base_triangle_count: usize;
         with_max_error, max_error: some f64;
         with_attribute_weights, attribute_weights: AttributeWeights;

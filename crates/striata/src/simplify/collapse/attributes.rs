@@ -334,21 +334,21 @@ impl AttributeSpace {
         let u = star.offset(k);
         let mut sides = [WedgeSide::default(); MAX_WEDGES];
         let mut crossing = 0.0;
-        for t in 0..star.triangle_count() {
-            let [i, j] = star.triangle(t);
+        for t in 0..star.ring.triangle_count() {
+            let [i, j] = star.ring.triangle(t);
             if i == k || j == k {
                 continue;
             }
             let wedge = vertex_at(t, v);
             let (a, b) = (star.offset(i), star.offset(j));
             if self.atlases.get(wedge as usize).is_some_and(|&mask| mask != 0) {
-                let target = wedges.map_or(star.ids[k], |w| w.paired(wedge, star.ids[k]));
-                let corners = [wedge, vertex_at(t, star.ids[i]), vertex_at(t, star.ids[j])];
+                let target = wedges.map_or(star.ring.ids[k], |w| w.paired(wedge, star.ring.ids[k]));
+                let corners = [wedge, vertex_at(t, star.ring.ids[i]), vertex_at(t, star.ring.ids[j])];
                 let areas = [a.cross(b), (a - u).cross(b - u)].map(|normal| 0.5 * normal.length());
                 crossing += areas[0].max(areas[1]) * self.stretch_squared(corners, target, [u, a, b]);
             }
             if wedges.is_some_and(|w| w.crosses(wedge)) {
-                let target = wedges.map_or(wedge, |w| w.paired(wedge, star.ids[k]));
+                let target = wedges.map_or(wedge, |w| w.paired(wedge, star.ring.ids[k]));
                 let areas = [a.cross(b), (a - u).cross(b - u)].map(|normal| 0.5 * normal.length());
                 crossing += areas[0].max(areas[1]) * self.smear_squared(wedge, target);
                 continue;
@@ -361,8 +361,8 @@ impl AttributeSpace {
             let [x, y, z] = nearest(u, a, b);
             let distance = (u * x + a * y + b * z).length_squared();
             if distance < side.distance {
-                let target = wedges.map_or(star.ids[k], |w| w.paired(wedge, star.ids[k]));
-                let corners = [target, vertex_at(t, star.ids[i]), vertex_at(t, star.ids[j])];
+                let target = wedges.map_or(star.ring.ids[k], |w| w.paired(wedge, star.ring.ids[k]));
+                let corners = [target, vertex_at(t, star.ring.ids[i]), vertex_at(t, star.ring.ids[j])];
                 side.distance = distance;
                 side.error = self.interpolation_error(wedge, corners, [x, y, z]);
                 side.highlight = self.highlight_error(wedge, corners, [x, y, z]);
@@ -382,17 +382,20 @@ impl AttributeSpace {
         k: usize,
     ) -> f32 {
         let Some(colors) = &self.base_colors else { return 0.0 };
-        let (u, target) = (star.offset(k), star.ids[k]);
+        let (u, target) = (star.offset(k), star.ring.ids[k]);
         let triangle = |t: usize, center: u32, at: Vec3| {
-            let [i, j] = star.triangle(t);
-            let vertices =
-                [center, vertex_at(star, wedges, t, star.ids[i]), vertex_at(star, wedges, t, star.ids[j])];
+            let [i, j] = star.ring.triangle(t);
+            let vertices = [
+                center,
+                vertex_at(star, wedges, t, star.ring.ids[i]),
+                vertex_at(star, wedges, t, star.ring.ids[j]),
+            ];
             ShownTriangle { vertices, points: [at, star.offset(i), star.offset(j)] }
         };
         let wedge = |t: usize| vertex_at(star, wedges, t, v);
         let paired = |t: usize| wedges.map_or(target, |w| w.paired(wedge(t), target));
-        let all = 0..star.triangle_count();
-        let is_left = |&t: &usize| !star.triangle(t).contains(&k);
+        let all = 0..star.ring.triangle_count();
+        let is_left = |&t: &usize| !star.ring.triangle(t).contains(&k);
         let old: Vec<_> = all.clone().map(|t| triangle(t, wedge(t), Vec3::ZERO)).collect();
         let new: Vec<_> = all.filter(is_left).map(|t| triangle(t, paired(t), u)).collect();
         colors.cost(&old, &new)
@@ -461,7 +464,7 @@ fn highlights_of(welded: &Welded, normals: &AttributeLayer) -> Vec<f32> {
 /// Returns the vertex that a triangle of a star uses at a position.
 fn vertex_at(star: &Star, wedges: Option<&Wedges<'_>>, t: usize, position: u32) -> u32 {
     wedges.map_or(position, |w| match w.is_split(position) {
-        true => w.vertex_at(star.triangles[t], position),
+        true => w.vertex_at(star.ring.triangles[t], position),
         false => w.first(position),
     })
 }

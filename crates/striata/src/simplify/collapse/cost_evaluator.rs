@@ -1,22 +1,19 @@
 //! Evaluates the cost of collapsing a position: a quick provisional cost, or the best target with its full cost.
 
-use glam::DVec3;
-
 use crate::mesh::{DisjointSets, Welded};
 
 use super::attributes::AttributeSpace;
 use super::collapse_choice::{CollapseChoice, CollapseKind};
+use super::costs::{CollapseCost, CostRules};
 use super::fan::point;
 use super::height_field::HeightField;
 use super::legality::Legality;
 use super::links::{LinkKind, Links};
 use super::pairs::Pairs;
-use super::quadric::Quadric;
 use super::relaxed_state::RelaxedState;
 use super::star::Star;
-use super::tracked::{MEMORYLESS_SHARE, Tracker};
 use super::wedges::Wedges;
-use crate::simplify::options::{BoundaryRule, CollapseCost, SeamRule, SequenceOptions, TopologyRule};
+use crate::simplify::options::{BoundaryRule, SeamRule, SequenceOptions, TopologyRule};
 use crate::simplify::scaled_space::ScaledSpace;
 
 /// Cost of merging two parts: this share of their squared distance, times the area that moves.
@@ -26,25 +23,9 @@ const PAIR_WEIGHT: f32 = 0.1;
 /// its targets takes cubic time, again after each collapse of a neighbor.
 const MAX_STAR_TRIANGLES: usize = 255;
 
-/// Factor by which the full cost nearly always exceeds its quadratic part, at least. Scaling the bounds
-/// by it saves over a quarter of the time on the bunny, since fewer positions reach the top only to go
-/// back. A rare position whose full cost is less is collapsed late, by at most this factor in cost. Over
-/// five meshes, this raises the RMS error by 0.3 % down to 10 % of the triangles, and by 1.3 % at 2 %.
-const BOUND_FACTOR: f32 = 2.0;
-
 /// A surface without seams counts as a scan if its connected parts have this many triangles on average. Levels of the
 /// bunny, nefertiti and bigtujunga are the same then down to 2 %; those of meshes of a few thousand triangles are not.
 const MIN_SCAN_PART_TRIANGLES: usize = 10_000;
-
-/// Data about removed geometry that a cost function keeps.
-pub(in crate::simplify) enum CostHistory {
-    /// None: only the current mesh counts.
-    Memoryless,
-    /// The planes of all original triangles, summed up at each position.
-    Accumulated(Vec<Quadric>),
-    /// The removed vertices.
-    Tracked(Tracker),
-}
 
 /// How far the cost of a candidate has been evaluated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -78,7 +59,8 @@ pub(in crate::simplify) struct CostEvaluator<'a> {
     pub scale: f64,
     pub links: Links,
     pub wedges: Option<Wedges<'a>>,
-    pub history: CostHistory,
+    pub cost: Box<dyn CollapseCost>,
+    pub rules: CostRules,
     pub pairs: Option<Pairs>,
     pub star: Star,
     pub legality: Legality,
@@ -102,21 +84,28 @@ pub(in crate::simplify) struct CostEvaluator<'a> {
 impl<'a> CostEvaluator<'a> {
     /// Creates an evaluator for the full mesh.
     pub(in crate::simplify) fn new(welded: &'a Welded, options: &SequenceOptions) -> Self {
-        Self::in_space(welded, options, ScaledSpace::of(&welded.mesh))
+        Self::with_cost(welded, options, ScaledSpace::of(&welded.mesh), options.cost.create())
     }
 
     /// Creates an evaluator for part of a mesh whose diagonal is `scale` mesh units: costs of all parts are in
     /// the same unit.
     pub(in crate::simplify) fn with_scale(welded: &'a Welded, options: &SequenceOptions, scale: f64) -> Self {
-        Self::in_space(welded, options, ScaledSpace::with_scale(&welded.mesh, scale))
+        let space = ScaledSpace::with_scale(&welded.mesh, scale);
+        Self::with_cost(welded, options, space, options.cost.create())
     }
 
-    fn in_space(welded: &'a Welded, options: &SequenceOptions, space: ScaledSpace) -> Self {
+    pub(in crate::simplify) fn with_cost(
+        welded: &'a Welded,
+        options: &SequenceOptions,
+        space: ScaledSpace,
+        cost: Box<dyn CollapseCost>,
+    ) -> Self {
+        let rules = cost.rules();
         let scale = space.scale;
         let positions = scaled_positions(welded, &space);
         let position_count = positions.len();
         let has_wedges = !welded.positions.is_identity();
-        let follows = has_wedges || options.cost == CollapseCost::Tracked;
+        let follows = has_wedges || rules.follows_triangles;
         let links = if has_wedges {
             let of = |t: &[u32; 3]| t.map(|v| welded.positions.position_of(v));
             let triangles: Vec<[u32; 3]> = welded.mesh.triangles.iter().map(of).collect();
@@ -129,7 +118,8 @@ impl<'a> CostEvaluator<'a> {
             scale,
             links,
             wedges: has_wedges.then(|| Wedges::new(&welded.positions, welded.mesh.triangles.clone())),
-            history: CostHistory::Memoryless,
+            cost,
+            rules,
             pairs: None,
             star: Star::default(),
             legality: Legality::default(),
@@ -144,7 +134,8 @@ impl<'a> CostEvaluator<'a> {
             partners: Vec::new(),
             candidates: Vec::new(),
         };
-        evaluator.history = evaluator.initial_history(options.cost, welded.mesh.triangle_count());
+        let Self { cost, star, links, positions, .. } = &mut evaluator;
+        cost.begin(star, links, positions, welded.mesh.triangle_count());
         if let Some(distance) = options.pair_distance.filter(|&d| d > 0.0) {
             let threshold = ((distance / scale) as f32).clamp(1e-6, 1.0);
             let is_neighbor = |p: u32, q: u32| evaluator.links.entries(p).contains(&q);
@@ -154,36 +145,6 @@ impl<'a> CostEvaluator<'a> {
             evaluator.legality.may_vanish = options.topology == TopologyRule::Keep;
         }
         evaluator
-    }
-
-    fn initial_history(&mut self, cost: CollapseCost, triangle_count: usize) -> CostHistory {
-        let position_count = self.positions.len() as u32;
-        match cost {
-            CollapseCost::Memoryless => CostHistory::Memoryless,
-            CollapseCost::Accumulated => {
-                CostHistory::Accumulated((0..position_count).map(|v| self.star_quadric(v)).collect())
-            }
-            CollapseCost::Tracked => {
-                let mut area = |v| {
-                    self.star.gather(&self.links, &self.positions, v);
-                    self.star.compute_costs();
-                    self.star.area() / 3.0
-                };
-                let weights = (0..position_count).map(&mut area).collect();
-                CostHistory::Tracked(Tracker::new(triangle_count, weights))
-            }
-        }
-    }
-
-    fn star_quadric(&mut self, v: u32) -> Quadric {
-        self.star.gather(&self.links, &self.positions, v);
-        let center = point(&self.positions, v).as_dvec3();
-        let mut sum = Quadric::default();
-        for t in 0..self.star.triangle_count() {
-            let [a, b] = self.star.triangle(t).map(|i| center + self.star.offset(i).as_dvec3());
-            sum.add(&Quadric::of_triangle([center, a, b]));
-        }
-        sum
     }
 
     /// Gathers the star of `v` and computes the quadratic costs of its candidates.
@@ -201,15 +162,7 @@ impl<'a> CostEvaluator<'a> {
     /// Computes the quadratic costs of the gathered star's candidates, ignoring borders.
     pub(in crate::simplify) fn fill_costs(&mut self, v: u32) {
         self.star.compute_costs();
-        match &self.history {
-            CostHistory::Memoryless => {}
-            CostHistory::Tracked(_) => self.star.costs.iter_mut().for_each(|cost| *cost *= MEMORYLESS_SHARE),
-            CostHistory::Accumulated(quadrics) => {
-                for (cost, &u) in self.star.costs.iter_mut().zip(&self.star.ids) {
-                    *cost = accumulated_cost(quadrics, &self.positions, v, u);
-                }
-            }
-        }
+        self.cost.fill(&mut self.star, &self.positions, v);
     }
 
     /// Restricts the candidates of the gathered star to the borders on which `v` lies.
@@ -249,7 +202,7 @@ impl<'a> CostEvaluator<'a> {
     /// star if it is a neighbor.
     pub(in crate::simplify) fn gather_and_pair(&mut self, v: u32, u: u32) -> Option<usize> {
         self.gather(v);
-        let k = self.star.ids.iter().position(|&w| w == u)?;
+        let k = self.star.ring.index_of(u)?;
         self.pair(v, k);
         Some(k)
     }
@@ -315,7 +268,7 @@ impl<'a> CostEvaluator<'a> {
             // The whole part may vanish in one collapse, at a cost that is not known yet.
             return 0.0;
         }
-        if matches!(self.history, CostHistory::Accumulated(_)) { least } else { BOUND_FACTOR * least }
+        self.rules.bound_factor * least
     }
 
     fn has_partner(&mut self, v: u32) -> bool {
@@ -342,16 +295,14 @@ impl<'a> CostEvaluator<'a> {
     ) -> Option<CollapseChoice> {
         self.load_star(v);
         adjust(&self.links, &mut self.star);
-        if let CostHistory::Tracked(tracker) = &mut self.history {
-            tracker.load(&self.star, &self.positions, v);
-        }
+        self.cost.load(&self.star, &self.positions, v);
         self.candidates.clear();
-        self.candidates.resize(self.star.ids.len(), CandidateTarget::default());
+        self.candidates.resize(self.star.ring.ids.len(), CandidateTarget::default());
         let best = loop {
             let Some((k, cost)) = self.star.cheapest() else { break None };
             let candidate = self.candidates[k];
             if candidate.stage == EvaluationStage::Complete {
-                let target = self.star.ids[k];
+                let target = self.star.ring.ids[k];
                 let CandidateTarget { distance_squared, protrusion_squared, .. } = candidate;
                 break Some(CollapseChoice {
                     kind: CollapseKind::Strict,
@@ -374,7 +325,7 @@ impl<'a> CostEvaluator<'a> {
 
     /// Tests whether `v` may move to neighbor `k`, and returns its cost with the distance of `v` from the fan.
     fn measure(&mut self, v: u32, k: usize) -> Option<f32> {
-        let u = self.star.ids[k];
+        let u = self.star.ring.ids[k];
         // Attributes often exclude more targets than the topology does, whose test takes longer.
         if self.attributes.is_none() && !self.legality.allows(&self.links, v, u) {
             return None;
@@ -401,13 +352,9 @@ impl<'a> CostEvaluator<'a> {
             distance_squared,
             ..CandidateTarget::default()
         };
-        Some(match &self.history {
-            CostHistory::Memoryless => quadratic + self.star.distance_cost(distance_squared),
-            CostHistory::Accumulated(_) => quadratic,
-            CostHistory::Tracked(_) => {
-                quadratic + MEMORYLESS_SHARE * self.star.distance_cost(distance_squared)
-            }
-        })
+        let CostRules { counts_fan, surface_share, .. } = self.rules;
+        let of_fan = if counts_fan { surface_share * self.star.distance_cost(distance_squared) } else { 0.0 };
+        Some(quadratic + of_fan)
     }
 
     /// Whether collapsing `v`, whose star has been gathered, to `u` leaves a height field if it must.
@@ -426,23 +373,19 @@ impl<'a> CostEvaluator<'a> {
 
     /// Returns the full cost of neighbor `k` as the target, if it may be the target.
     fn complete_cost(&mut self, v: u32, k: usize) -> Option<f32> {
-        if self.attributes.is_some() && !self.legality.allows(&self.links, v, self.star.ids[k]) {
+        if self.attributes.is_some() && !self.legality.allows(&self.links, v, self.star.ring.ids[k]) {
             return None;
         }
         self.candidates[k].stage = EvaluationStage::Complete;
         let CandidateTarget { quadratic, distance_squared, attributes, .. } = self.candidates[k];
         let mut cost = quadratic;
-        if !matches!(self.history, CostHistory::Accumulated(_)) {
+        if self.rules.counts_fan {
             let protrusion_squared = self.star.protrusion_squared(k);
             self.candidates[k].protrusion_squared = protrusion_squared;
             let off = distance_squared + protrusion_squared;
-            let share = if matches!(self.history, CostHistory::Tracked(_)) { MEMORYLESS_SHARE } else { 1.0 };
-            cost += share * self.star.distance_cost(off);
+            cost += self.rules.surface_share * self.star.distance_cost(off);
         }
-        if let CostHistory::Tracked(tracker) = &self.history {
-            self.star.mark_vanishing(Some(k));
-            cost += tracker.increase(&self.star, k, v, distance_squared);
-        }
+        cost += self.cost.increase(&mut self.star, k, v, distance_squared);
         cost += attributes;
         if self.attributes.as_ref().is_some_and(AttributeSpace::has_colors) {
             self.pair(v, k);
@@ -467,7 +410,7 @@ impl<'a> CostEvaluator<'a> {
     pub(in crate::simplify) fn distance_cost(&mut self, v: u32, squared: f32) -> f32 {
         self.star.gather(&self.links, &self.positions, v);
         self.star.compute_costs();
-        self.memoryless_share() * self.star.distance_cost(squared)
+        self.rules.surface_share * self.star.distance_cost(squared)
     }
 
     /// Returns the cheapest contraction of `v` with a partner if it is cheaper than `best`, otherwise `best`.
@@ -486,10 +429,8 @@ impl<'a> CostEvaluator<'a> {
                 continue;
             }
             let distance_squared = self.star.moved_distance_squared(to).unwrap_or(to.length_squared());
-            let cost = match &self.history {
-                CostHistory::Accumulated(quadrics) => accumulated_cost(quadrics, &self.positions, v, target),
-                _ => self.star.cost_at(to) + self.star.distance_cost(distance_squared),
-            } + PAIR_WEIGHT * self.star.area() * to.length_squared();
+            let cost = self.cost.contraction(&self.star, &self.positions, [v, target], distance_squared)
+                + PAIR_WEIGHT * self.star.area() * to.length_squared();
             if cost < best.map_or(f32::INFINITY, |b| b.cost) {
                 best = Some(CollapseChoice {
                     kind: CollapseKind::Strict,
@@ -521,11 +462,6 @@ impl<'a> CostEvaluator<'a> {
             attributes.as_ref().map_or(0.0, |space| space.difference_squared(a, b))
         });
     }
-}
-
-fn accumulated_cost(quadrics: &[Quadric], positions: &[[f32; 4]], v: u32, u: u32) -> f32 {
-    let at: DVec3 = point(positions, u).as_dvec3();
-    (quadrics[v as usize].at(at) + quadrics[u as usize].at(at)) as f32
 }
 
 /// Whether the connected parts of a mesh have at least this number of triangles on average.

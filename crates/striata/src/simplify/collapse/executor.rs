@@ -5,7 +5,7 @@ use glam::Vec3;
 use crate::mesh::Welded;
 
 use super::collapse_choice::{CollapseChoice, CollapseKind};
-use super::cost_evaluator::{CostEvaluator, CostHistory};
+use super::cost_evaluator::CostEvaluator;
 use super::fan::point;
 use super::links::LinkKind;
 use super::lost_positions::{HalfEdge, LostPositions};
@@ -90,7 +90,7 @@ impl CollapseExecutor {
         let place = self.witnesses.possible_worst(&evaluator.positions, v, own)?;
         let CostEvaluator { star, links, positions, .. } = evaluator;
         star.gather(links, positions, v);
-        let k = star.ids.iter().position(|&w| w == u)?;
+        let k = star.ring.index_of(u)?;
         star.mark_vanishing(Some(k));
         let distance_squared = star.fan_distance_squared_of(k, place - point(positions, v));
         distance_squared.is_finite().then_some(distance_squared)
@@ -204,8 +204,8 @@ impl CollapseExecutor {
         self.points.clear();
         let [x, y, z, _] = positions[v as usize];
         let center = Vec3::new(x, y, z);
-        for t in 0..star.triangle_count() {
-            let [a, b] = star.triangle(t).map(|i| star.offset(i));
+        for t in 0..star.ring.triangle_count() {
+            let [a, b] = star.ring.triangle(t).map(|i| star.offset(i));
             self.points.extend([(a + b) / 3.0, 0.5 * a, 0.5 * b].map(|offset| center + offset));
         }
     }
@@ -220,16 +220,11 @@ impl CollapseExecutor {
     /// updates the cost history. Returns the largest squared distance of the tracked vertices if the
     /// cost tracks them and `u` is a neighbor.
     fn prepare(&mut self, evaluator: &mut CostEvaluator<'_>, v: u32, u: u32) -> Option<f32> {
-        let CostEvaluator { wedges, history, pairs, .. } = evaluator;
-        if let Some(pairs) = pairs {
+        if let Some(pairs) = &mut evaluator.pairs {
             pairs.collapse(v, u);
         }
-        if let CostHistory::Accumulated(quadrics) = history {
-            let own = quadrics[v as usize];
-            quadrics[u as usize].add(&own);
-        }
-        let is_tracked = matches!(history, CostHistory::Tracked(_));
-        if wedges.is_none() && !is_tracked {
+        evaluator.cost.merge(v, u);
+        if evaluator.wedges.is_none() && !evaluator.rules.follows_triangles {
             self.record.targets[v as usize] = u;
             return None;
         }
@@ -237,7 +232,7 @@ impl CollapseExecutor {
         if neighbor.is_none() {
             evaluator.pair_wedges(v, u);
         }
-        let CostEvaluator { star, positions, wedges, history, .. } = evaluator;
+        let CostEvaluator { star, positions, wedges, cost, .. } = evaluator;
         match wedges {
             Some(wedges) => {
                 wedges.write_targets(v, u, &mut self.record.targets);
@@ -245,10 +240,7 @@ impl CollapseExecutor {
             }
             None => self.record.targets[v as usize] = u,
         }
-        let (CostHistory::Tracked(tracker), Some(k)) = (history, neighbor) else { return None };
-        star.mark_vanishing(Some(k));
-        tracker.load(star, positions, v);
-        Some(tracker.collapse(star, v, k))
+        cost.collapse(star, positions, v, neighbor?)
     }
 }
 

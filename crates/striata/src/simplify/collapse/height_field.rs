@@ -65,7 +65,8 @@ impl HeightField {
     /// 1 if all triangles of the star of `v` face up, -1 if all face down, otherwise 0.
     pub(in crate::simplify) fn facing(&self, star: &Star, v: u32) -> f64 {
         let areas = || {
-            let triangles = (0..star.triangle_count()).map(|t| star.triangle(t).map(|i| star.ids[i]));
+            let triangles =
+                (0..star.ring.triangle_count()).map(|t| star.ring.triangle(t).map(|i| star.ring.ids[i]));
             triangles.map(|[a, b]| self.area([v, a, b]))
         };
         if areas().all(|area| area > 0.0) {
@@ -79,8 +80,8 @@ impl HeightField {
 
     /// Whether all triangles of the star of `v` that stay when `v` moves to `u` keep facing up, or down.
     pub(in crate::simplify) fn allows(&self, star: &Star, v: u32, u: u32) -> bool {
-        (0..star.triangle_count())
-            .map(|t| star.triangle(t).map(|i| star.ids[i]))
+        (0..star.ring.triangle_count())
+            .map(|t| star.ring.triangle(t).map(|i| star.ring.ids[i]))
             .all(|[a, b]| a == u || b == u || self.keeps_facing(v, [a, b], self.at(u)))
     }
 }

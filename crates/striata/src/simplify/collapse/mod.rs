@@ -40,7 +40,8 @@
 //! | `wedges.rs`, `attributes.rs`, `seam_cost.rs`, `charts.rs` | pairing of wedges, cost of attributes |
 //! | `base_colors.rs` | cost of what changes in the colors that textures show |
 //! | `collapse_choice.rs`, `cost_evaluator.rs` | bound and full cost of a position's candidates |
-//! | `quadric.rs`, `tracked.rs`, `pairs.rs` | data of the other two costs; contraction of separate parts |
+//! | `costs/` | the trait of all costs, their list, and what each of them adds |
+//! | `pairs.rs` | contraction of separate parts |
 //! | `heap.rs`, `simplifier.rs`, `executor.rs`, `refinement_order.rs` | the loop, a step, the numbering |
 //! | `part_order.rs` | how the steps of parts that are simplified at the same time merge |
 //! | `walk.rs`, `witness.rs`, `outward_bounds.rs` | the error that a step reports, in both directions |
@@ -55,6 +56,7 @@ pub(super) mod batches;
 pub(super) mod charts;
 pub(super) mod collapse_choice;
 pub(super) mod cost_evaluator;
+pub(super) mod costs;
 pub(super) mod executor;
 pub(super) mod fan;
 pub(super) mod flat_fold;
@@ -68,7 +70,6 @@ pub(super) mod outward_bounds;
 pub(super) mod pairs;
 pub(super) mod part_order;
 pub(super) mod parts;
-pub(super) mod quadric;
 pub(super) mod refinement_order;
 pub(super) mod relaxation_schedule;
 pub(super) mod relaxed_candidates;
@@ -77,7 +78,6 @@ pub(super) mod seam_cost;
 pub(super) mod simplifier;
 pub(super) mod star;
 pub(super) mod surface_snapshot;
-pub(super) mod tracked;
 pub(super) mod walk;
 pub(super) mod wedges;
 pub(super) mod witness;

@@ -15,12 +15,11 @@
 use glam::Vec3;
 
 use super::collapse_choice::{CollapseChoice, CollapseKind};
-use super::cost_evaluator::{CostEvaluator, CostHistory};
+use super::cost_evaluator::CostEvaluator;
 use super::fan::{nearest, point};
 use super::legality::MAX_REMOVED;
 use super::links::{LinkEdge, LinkKind, Links};
 use super::parts::{MeasuringContext, VanishingEstimate, vanishing_cost};
-use super::tracked::MEMORYLESS_SHARE;
 
 /// Cost factor of a collapse that breaks the link condition or moves a vertex off its border.
 const LINK_FACTOR: f32 = 4.0;
@@ -48,7 +47,7 @@ impl CostEvaluator<'_> {
         let mut order = std::mem::take(&mut self.relaxed.as_mut()?.order);
         self.fill_costs(v);
         order.clear();
-        order.extend(0..self.star.ids.len() as u32);
+        order.extend(0..self.star.ring.ids.len() as u32);
         let length_squared = |k: &u32| self.star.offset(*k as usize).length_squared();
         order.sort_by(|a, b| length_squared(a).total_cmp(&length_squared(b)));
         let mut best: Option<CollapseChoice> = None;
@@ -79,8 +78,9 @@ impl CostEvaluator<'_> {
     /// may look worse than removing it.
     pub(in crate::simplify) fn ending_choice(&mut self, v: u32, limit: f32) -> Option<CollapseChoice> {
         self.fill_costs(v);
-        for k in 0..self.star.ids.len() {
-            let takes_all = (0..self.star.triangle_count()).all(|t| self.star.triangle(t).contains(&k));
+        for k in 0..self.star.ring.ids.len() {
+            let takes_all =
+                (0..self.star.ring.triangle_count()).all(|t| self.star.ring.triangle(t).contains(&k));
             if takes_all
                 && let Some(choice) = self.relaxed_candidate(v, k, limit)
                 && choice.kind == CollapseKind::Vanish
@@ -152,9 +152,9 @@ impl CostEvaluator<'_> {
     }
 
     fn relaxed_candidate(&mut self, v: u32, k: usize, limit: f32) -> Option<CollapseChoice> {
-        let u = self.star.ids[k];
-        let count = self.star.triangle_count();
-        let removed = (0..count).filter(|&t| self.star.triangle(t).contains(&k)).count();
+        let u = self.star.ring.ids[k];
+        let count = self.star.ring.triangle_count();
+        let removed = (0..count).filter(|&t| self.star.ring.triangle(t).contains(&k)).count();
         let kept = count + self.links.triangle_count(u) - 2 * removed;
         let left = self.relaxed.as_ref()?.triangle_count;
         if removed > MAX_REMOVED || removed >= left || self.strands_locked(v, u, kept) {
@@ -167,13 +167,7 @@ impl CostEvaluator<'_> {
             return self.vanishing_choice(v, k, removed);
         }
         let choice = if removed == count { self.fin_choice(v, k)? } else { self.fan_choice(v, k, limit)? };
-        let increase = match &self.history {
-            CostHistory::Tracked(tracker) => {
-                self.star.mark_vanishing(Some(k));
-                tracker.increase(&self.star, k, v, choice.distance_squared)
-            }
-            _ => 0.0,
-        };
+        let increase = self.cost.increase(&mut self.star, k, v, choice.distance_squared);
         Some(CollapseChoice { cost: (choice.cost + increase).min(MAX_COST), ..choice })
     }
 
@@ -182,7 +176,7 @@ impl CostEvaluator<'_> {
     fn fan_choice(&mut self, v: u32, k: usize, limit: f32) -> Option<CollapseChoice> {
         let quadratic = self.star.costs[k];
         let length_squared = self.star.offset(k).length_squared();
-        let share = self.memoryless_share();
+        let share = self.rules.surface_share;
         let distance_cost = |star: &super::star::Star, squared: f32| share * star.distance_cost(squared);
         let fan = self.star.fan_distance_squared(k);
         let (kind, distance_squared, start) = match fan {
@@ -206,7 +200,7 @@ impl CostEvaluator<'_> {
         let cost = start + least * distance_cost(&self.star, distance_squared + protrusion_squared);
         Some(CollapseChoice {
             cost,
-            target: self.star.ids[k],
+            target: self.star.ring.ids[k],
             distance_squared,
             protrusion_squared,
             kind,
@@ -214,19 +208,15 @@ impl CostEvaluator<'_> {
         })
     }
 
-    pub(in crate::simplify) fn memoryless_share(&self) -> f32 {
-        if matches!(self.history, CostHistory::Tracked(_)) { MEMORYLESS_SHARE } else { 1.0 }
-    }
-
     /// Returns the candidate that removes all triangles of `v` and leaves others at `u`.
     fn fin_choice(&mut self, v: u32, k: usize) -> Option<CollapseChoice> {
-        let u = self.star.ids[k];
+        let u = self.star.ring.ids[k];
         let mut edges = std::mem::take(&mut self.relaxed.as_mut()?.edges);
         self.links.sampled_edges_into(u, &mut edges);
         edges.retain(|e| e.a != v && e.b != v);
         let (mut sum, mut area_sum, mut least) = (0.0, 0.0, f32::INFINITY);
-        for t in 0..self.star.triangle_count() {
-            let [i, j] = self.star.triangle(t).map(|i| self.star.offset(i));
+        for t in 0..self.star.ring.triangle_count() {
+            let [i, j] = self.star.ring.triangle(t).map(|i| self.star.offset(i));
             let doubled = i.cross(j);
             let area = doubled.length() + f32::MIN_POSITIVE;
             let own = if self.wedges.is_some() { self.star.center_wedges[t] } else { v };
@@ -238,7 +228,7 @@ impl CostEvaluator<'_> {
         if let Some(relaxed) = &mut self.relaxed {
             relaxed.edges = edges;
         }
-        let cost = self.memoryless_share() * vanishing_cost(self.star.area(), sum / area_sum);
+        let cost = self.rules.surface_share * vanishing_cost(self.star.area(), sum / area_sum);
         Some(CollapseChoice {
             cost,
             target: u,
@@ -295,8 +285,8 @@ impl CostEvaluator<'_> {
             let estimate = self.estimate(part)?;
             (estimate.cost, estimate.distance_squared())
         };
-        let cost = (self.memoryless_share() * cost).min(MAX_COST);
-        let target = self.star.ids[k];
+        let cost = (self.rules.surface_share * cost).min(MAX_COST);
+        let target = self.star.ring.ids[k];
         Some(CollapseChoice {
             cost,
             target,
@@ -313,9 +303,10 @@ impl CostEvaluator<'_> {
         let Self { relaxed: Some(relaxed), links, wedges, positions, star, .. } = self else {
             return (0.0, 0.0);
         };
-        let is_alone = (0..star.ids.len()).all(|i| {
-            let count = (0..star.triangle_count()).filter(|&t| star.triangle(t).contains(&i)).count();
-            links.triangle_count(star.ids[i]) == count
+        let is_alone = (0..star.ring.ids.len()).all(|i| {
+            let count =
+                (0..star.ring.triangle_count()).filter(|&t| star.ring.triangle(t).contains(&i)).count();
+            links.triangle_count(star.ring.ids[i]) == count
         });
         if !is_alone {
             // The third corners have other triangles and stay where they are.
@@ -323,7 +314,7 @@ impl CostEvaluator<'_> {
         }
         relaxed.refresh(links, wedges.as_ref(), positions);
         let from = point(positions, v);
-        let is_other = |p: u32| p != v && !star.ids.contains(&p);
+        let is_other = |p: u32| p != v && !star.ring.ids.contains(&p);
         let unknown = (f32::INFINITY, v);
         let (distance_squared, _) = relaxed.nearest_star((links, positions), from, (unknown, 0.0), is_other);
         let (area, reach) = relaxed.parts.share(part);

@@ -11,13 +11,13 @@ impl CostEvaluator<'_> {
     pub(in crate::simplify) fn crossing_cost(&self, k: usize) -> f32 {
         let Self { star, wedges: Some(wedges), attributes: Some(attributes), .. } = self else { return 0.0 };
         let mut cost = 0.0;
-        for t in 0..star.triangle_count() {
-            let [i, j] = star.triangle(t);
+        for t in 0..star.ring.triangle_count() {
+            let [i, j] = star.ring.triangle(t);
             let wedge = star.center_wedges[t];
             if i != k && j != k && wedges.crosses(wedge) {
                 let (u, a, b) = (star.offset(k), star.offset(i), star.offset(j));
                 let areas = [a.cross(b), (a - u).cross(b - u)].map(|normal| 0.5 * normal.length());
-                let squared = attributes.crossing_squared(wedge, wedges.paired(wedge, star.ids[k]));
+                let squared = attributes.crossing_squared(wedge, wedges.paired(wedge, star.ring.ids[k]));
                 cost += areas[0].max(areas[1]) * squared;
             }
         }

@@ -18,7 +18,7 @@ use crate::mesh::Welded;
 use crate::{Progress, ProgressFn};
 
 use super::collapse_choice::{CollapseChoice, CollapseKind};
-use super::cost_evaluator::{CostEvaluator, CostHistory};
+use super::cost_evaluator::CostEvaluator;
 use super::executor::CollapseExecutor;
 use super::heap::IndexedHeap;
 use super::links::LinkKind;
@@ -28,8 +28,6 @@ use super::relaxation_schedule::RelaxationSchedule;
 use super::witness::Witnesses;
 use crate::simplify::options::{SequenceOptions, SimplifyError, StopReason};
 
-/// No target chosen yet: the key in the heap is a provisional cost.
-const UNDECIDED: u32 = u32::MAX;
 /// The new fan is known to be close enough to the original mesh without being measured.
 const UNMEASURED: f32 = -1.0;
 /// Number of collapses between two progress reports.
@@ -38,7 +36,6 @@ const REPORT_INTERVAL: u64 = 4096;
 /// The part of a [`CollapseChoice`] that is kept until its turn comes.
 #[derive(Clone, Copy)]
 struct StoredChoice {
-    /// `UNDECIDED` if nothing else here is valid.
     target: u32,
     kind: CollapseKind,
     distance_squared: f32,
@@ -49,13 +46,16 @@ struct StoredChoice {
 }
 
 impl StoredChoice {
-    const NONE: Self = Self {
-        target: UNDECIDED,
-        kind: CollapseKind::Strict,
-        distance_squared: 0.0,
-        protrusion_squared: 0.0,
-        outward: f32::NAN,
-    };
+    fn choice(self) -> CollapseChoice {
+        CollapseChoice {
+            cost: 0.0,
+            target: self.target,
+            kind: self.kind,
+            distance_squared: self.distance_squared,
+            protrusion_squared: self.protrusion_squared,
+            outward: Some(self.outward).filter(|&outward| outward >= 0.0),
+        }
+    }
 }
 
 /// Complete state of one simplification.
@@ -63,8 +63,8 @@ pub(in crate::simplify) struct Simplifier<'a> {
     options: &'a SequenceOptions,
     evaluator: CostEvaluator<'a>,
     heap: IndexedHeap,
-    /// The choice of each position.
-    choices: Vec<StoredChoice>,
+    /// The choice of each position; `None` if its key in the heap is a provisional cost.
+    choices: Vec<Option<StoredChoice>>,
     schedule: RelaxationSchedule<'a>,
     executor: CollapseExecutor,
     /// The order of the steps among those of other parts, if the mesh is a part of a level.
@@ -113,7 +113,7 @@ impl<'a> Simplifier<'a> {
         &mut self.executor.witnesses
     }
 
-    fn with_evaluator(
+    pub(in crate::simplify) fn with_evaluator(
         welded: &'a Welded,
         options: &'a SequenceOptions,
         evaluator: CostEvaluator<'a>,
@@ -124,7 +124,7 @@ impl<'a> Simplifier<'a> {
             options,
             evaluator,
             heap: IndexedHeap::new(&[]),
-            choices: vec![StoredChoice::NONE; position_count],
+            choices: vec![None; position_count],
             schedule: RelaxationSchedule::new(welded, options.topology),
             executor,
             order: None,
@@ -161,34 +161,28 @@ impl<'a> Simplifier<'a> {
             if self.executor.triangle_count <= self.options.base_triangle_count {
                 return Ok(StopReason::TargetReached);
             }
-            if self.choices[v as usize].target == UNDECIDED {
+            // If the neighborhood of the target has changed, another target is needed.
+            let Some(stored) = self.choices[v as usize].filter(|&choice| self.is_still_allowed(v, choice))
+            else {
+                self.choices[v as usize] = None;
                 self.decide(v, key);
                 continue;
-            }
-            let (mut v, mut u) = (v, self.choices[v as usize].target);
-            if !self.is_still_allowed(v, u) {
-                // The neighborhood of the target has changed: look for another target.
-                self.choices[v as usize].target = UNDECIDED;
-                self.decide(v, key);
-                continue;
-            }
-            if self.postpone_if_farther(v, u, key) {
-                continue;
-            }
-            if self.choices[v as usize].kind == CollapseKind::Vanish
-                && let Some((corner, choice)) = self.evaluator.absorbing_collapse(v, u)
+            };
+            let Some(stored) = self.unless_farther(v, stored, key) else { continue };
+            let (mut v, mut choice) = (v, stored.choice());
+            if choice.kind == CollapseKind::Vanish
+                && let Some(absorbing) = self.evaluator.absorbing_collapse(v, choice.target)
             {
                 // The vanishing position is evaluated again after this.
-                self.choose(corner, &choice);
-                (v, u) = (corner, choice.target);
+                (v, choice) = absorbing;
             }
             let cost = StepCost {
                 cost: key,
-                distance_squared: self.executor.own_squared(&self.evaluator, v, &self.choice(v)),
+                distance_squared: self.executor.own_squared(&self.evaluator, v, &choice),
             };
             // Rounded the way it will be reported, so that the limit applies to the reported value.
             let known = self.executor.worst_squared();
-            let collapse_error = self.collapse(v, u).min(f64::from(f32::MAX)) as f32;
+            let collapse_error = self.collapse(v, &choice).min(f64::from(f32::MAX)) as f32;
             if let Some(order) = &mut self.order {
                 let is_larger = f64::from(collapse_error) > f64::from(known).sqrt() * self.evaluator.scale;
                 order.note(&self.executor, key);
@@ -242,9 +236,7 @@ impl<'a> Simplifier<'a> {
         if self.heap.first().is_none() && self.schedule.is_postponed() {
             self.begin_relaxed();
             for v in 0..self.choices.len() as u32 {
-                self.choices[v as usize].target = UNDECIDED;
-                let key = self.evaluator.provisional_cost(v);
-                self.heap.set(v, key);
+                self.set_provisional(v);
             }
         }
         self.heap.first()
@@ -272,7 +264,13 @@ impl<'a> Simplifier<'a> {
         match choice {
             None => self.heap.remove(v),
             Some(choice) => {
-                self.choose(v, &choice);
+                self.choices[v as usize] = Some(StoredChoice {
+                    target: choice.target,
+                    kind: choice.kind,
+                    distance_squared: choice.distance_squared,
+                    protrusion_squared: choice.protrusion_squared,
+                    outward: f32::NAN,
+                });
                 if choice.cost > bound {
                     self.heap.set(v, choice.cost);
                 }
@@ -280,34 +278,34 @@ impl<'a> Simplifier<'a> {
         }
     }
 
-    /// Puts `v` back with a higher cost if its collapse to `u` turns out to lie farther from the
-    /// original mesh than anything so far, and returns whether it did. Its cost only includes the
-    /// distance from the current mesh. This is done once for each choice.
-    fn postpone_if_farther(&mut self, v: u32, u: u32, key: f32) -> bool {
-        let is_open = self.choices[v as usize].kind == CollapseKind::Strict
-            && self.choices[v as usize].outward.is_nan();
+    /// Puts `v` back with a higher cost if its collapse turns out to lie farther from the original mesh
+    /// than anything so far, or returns the choice. Its cost only includes the distance from the current
+    /// mesh. This is done once for each choice.
+    fn unless_farther(&mut self, v: u32, mut stored: StoredChoice, key: f32) -> Option<StoredChoice> {
+        let is_open = stored.kind == CollapseKind::Strict && stored.outward.is_nan();
         if !is_open || !self.evaluator.measures_outward() {
-            return false;
+            return Some(stored);
         }
         let worst = self.executor.worst_squared();
-        let protrusion = self.choices[v as usize].protrusion_squared;
-        let outward = self.evaluator.outward_distance_before(v, u, protrusion, worst).unwrap_or(UNMEASURED);
-        self.choices[v as usize].outward = outward;
-        let own = self.choices[v as usize].distance_squared;
+        let StoredChoice { target: u, protrusion_squared, distance_squared: own, .. } = stored;
+        let outward =
+            self.evaluator.outward_distance_before(v, u, protrusion_squared, worst).unwrap_or(UNMEASURED);
+        stored.outward = outward;
+        self.choices[v as usize] = Some(stored);
         let inward = self.executor.witness_distance_before(&mut self.evaluator, v, u, own).unwrap_or(0.0);
         let ahead = inward.max(outward.max(0.0) * outward);
         if ahead > worst {
             self.heap.set(v, key + self.evaluator.distance_cost(v, ahead));
+            return None;
         }
-        ahead > worst
+        Some(stored)
     }
 
-    fn is_still_allowed(&mut self, v: u32, u: u32) -> bool {
-        let choice = self.choice(v);
-        let kind = choice.kind;
+    fn is_still_allowed(&mut self, v: u32, stored: StoredChoice) -> bool {
+        let StoredChoice { target: u, kind, distance_squared, .. } = stored;
         let evaluator = &mut self.evaluator;
         if kind != CollapseKind::Strict {
-            return evaluator.is_relaxed_choice_valid(v, u, kind, choice.distance_squared);
+            return evaluator.is_relaxed_choice_valid(v, u, kind, distance_squared);
         }
         if evaluator.links.entries(v).contains(&u) {
             return evaluator.legality.allows(&evaluator.links, v, u)
@@ -317,61 +315,35 @@ impl<'a> Simplifier<'a> {
         evaluator.pairs.is_some() && evaluator.links.kind(u) != LinkKind::Empty
     }
 
-    /// Stores the choice for `v`.
-    fn choose(&mut self, v: u32, choice: &CollapseChoice) {
-        self.choices[v as usize] = StoredChoice {
-            target: choice.target,
-            kind: choice.kind,
-            distance_squared: choice.distance_squared,
-            protrusion_squared: choice.protrusion_squared,
-            outward: f32::NAN,
-        };
-    }
-
-    /// Returns the stored choice for `v`.
-    fn choice(&self, v: u32) -> CollapseChoice {
-        let stored = self.choices[v as usize];
-        CollapseChoice {
-            cost: 0.0,
-            target: stored.target,
-            kind: stored.kind,
-            distance_squared: stored.distance_squared,
-            protrusion_squared: stored.protrusion_squared,
-            outward: Some(stored.outward).filter(|&outward| outward >= 0.0),
-        }
-    }
-
-    /// Collapses `v` to `u` and gives the neighbors new bounds; returns the error after it, mesh units.
-    fn collapse(&mut self, v: u32, u: u32) -> f64 {
-        let choice = self.choice(v);
-        let error = self.executor.collapse(&mut self.evaluator, v, &choice);
+    /// Collapses `v` and gives the neighbors new bounds; returns the error after it, mesh units.
+    fn collapse(&mut self, v: u32, choice: &CollapseChoice) -> f64 {
+        let error = self.executor.collapse(&mut self.evaluator, v, choice);
         self.heap.remove(v);
-        self.update_neighbors(u);
+        self.update_neighbors(choice.target);
         error
+    }
+
+    /// Drops the choice of `v` and gives it a provisional cost.
+    fn set_provisional(&mut self, v: u32) {
+        self.choices[v as usize] = None;
+        let key = self.evaluator.provisional_cost(v);
+        self.heap.set(v, key);
     }
 
     /// Computes provisional costs for all positions whose star or target has changed.
     fn update_neighbors(&mut self, u: u32) {
         let ring = std::mem::take(&mut self.executor.ring);
-        for &w in &ring {
-            self.choices[w as usize].target = UNDECIDED;
-            let key = self.evaluator.provisional_cost(w);
-            self.heap.set(w, key);
-        }
+        ring.iter().for_each(|&w| self.set_provisional(w));
         self.executor.ring = ring;
-        if matches!(self.evaluator.history, CostHistory::Accumulated(_)) {
-            // The quadric of u has grown, so collapsing to it now costs more than the stored cost.
+        if self.evaluator.rules.target_grows {
+            // Collapsing to u now costs more than the stored cost.
             for &w in self.evaluator.links.entries(u) {
-                if self.choices[w as usize].target == u {
-                    self.choices[w as usize].target = UNDECIDED;
-                }
+                self.choices[w as usize].take_if(|choice| choice.target == u);
             }
         }
         if !self.executor.ring.contains(&u) {
             // A contraction of two parts: u was not a neighbor of v.
-            self.choices[u as usize].target = UNDECIDED;
-            let key = self.evaluator.provisional_cost(u);
-            self.heap.set(u, key);
+            self.set_provisional(u);
         }
     }
 }

@@ -56,9 +56,9 @@ impl<'a> Wedges<'a> {
     pub(in crate::simplify) fn load_center_wedges(&self, star: &mut Star, v: u32) {
         let mut center_wedges = std::mem::take(&mut star.center_wedges);
         center_wedges.clear();
-        let count = star.triangle_count();
+        let count = star.ring.triangle_count();
         if self.is_split(v) {
-            center_wedges.extend(star.triangles[..count].iter().map(|&t| self.vertex_at(t, v)));
+            center_wedges.extend(star.ring.triangles[..count].iter().map(|&t| self.vertex_at(t, v)));
         } else {
             center_wedges.resize(count, self.first(v));
         }
@@ -118,27 +118,27 @@ impl<'a> Wedges<'a> {
         }
     }
 
-    /// Pairs the wedges of `v` with those of its neighbor `star.ids[k]`; returns false if some wedge
+    /// Pairs the wedges of `v` with those of its neighbor `star.ring.ids[k]`; returns false if some wedge
     /// has no partner on its own side of the seam.
     pub(in crate::simplify) fn pair(&mut self, star: &Star, v: u32, k: usize) -> bool {
-        let u = star.ids[k];
+        let u = star.ring.ids[k];
         self.map.clear();
         if !self.is_split(v) && !self.is_split(u) {
             self.map.push((self.positions.first_vertex(v), self.positions.first_vertex(u)));
             self.first_crossing = 1;
             return true;
         }
-        for t in 0..star.triangle_count() {
-            if star.triangle(t).contains(&k) {
-                let triangle = star.triangles[t];
+        for t in 0..star.ring.triangle_count() {
+            if star.ring.triangle(t).contains(&k) {
+                let triangle = star.ring.triangles[t];
                 if !self.join(self.vertex_at(triangle, v), self.vertex_at(triangle, u)) {
                     return false;
                 }
             }
         }
         self.first_crossing = self.map.len();
-        (0..star.triangle_count()).all(|t| {
-            let from = self.vertex_at(star.triangles[t], v);
+        (0..star.ring.triangle_count()).all(|t| {
+            let from = self.vertex_at(star.ring.triangles[t], v);
             self.map.iter().any(|(other, _)| *other == from)
         })
     }
@@ -153,7 +153,7 @@ impl<'a> Wedges<'a> {
         k: usize,
         difference: impl Fn(u32, u32) -> f32,
     ) -> bool {
-        let u = star.ids[k];
+        let u = star.ring.ids[k];
         self.map.clear();
         let is_split = self.is_split(u);
         if !is_split && !self.is_split(v) {
@@ -161,9 +161,9 @@ impl<'a> Wedges<'a> {
             self.first_crossing = 1;
             return true;
         }
-        for t in 0..star.triangle_count() {
-            if star.triangle(t).contains(&k) {
-                let to = if is_split { self.vertex_at(star.triangles[t], u) } else { self.first(u) };
+        for t in 0..star.ring.triangle_count() {
+            if star.ring.triangle(t).contains(&k) {
+                let to = if is_split { self.vertex_at(star.ring.triangles[t], u) } else { self.first(u) };
                 if !self.join(star.center_wedges[t], to) {
                     return false;
                 }
@@ -208,7 +208,7 @@ impl<'a> Wedges<'a> {
     /// Replaces the wedges of `v` by their targets in the triangles around `v`.
     pub(in crate::simplify) fn substitute(&mut self, star: &Star, v: u32, targets: &[u32]) {
         let wedges = self.positions.wedges(v);
-        for &t in &star.triangles[..star.triangle_count()] {
+        for &t in &star.ring.triangles[..star.ring.triangle_count()] {
             for corner in &mut self.corners[t as usize] {
                 if wedges.contains(corner) {
                     *corner = targets[*corner as usize];
@@ -244,7 +244,7 @@ mod tests {
     }
 
     fn index_of(star: &Star, position: u32) -> usize {
-        star.ids.iter().position(|&id| id == position).expect("it is a neighbor")
+        star.ring.index_of(position).expect("it is a neighbor")
     }
 
     #[test]

@@ -35,22 +35,65 @@
 //! pairs without an edge are never merged. Time O(n log n), about 400 bytes per vertex.
 
 mod blend;
-mod edge_placement;
 mod merger;
 mod neighborhood;
 mod placed_fragments;
-mod placed_options;
 mod quadratic_form;
 mod seams;
 
-pub use placed_options::{BuiltPlaced, PlacedCollapse, PlacedOptions};
-
-use crate::mesh::{IndexedMesh, Welded, weld};
+use crate::mesh::{FragmentedMesh, IndexedMesh, Welded, weld};
+use crate::setters::setters;
 use crate::simplify::certify::certify_with_progress;
 use crate::simplify::options::{SequenceOptions, SimplifyError, StopReason, check_locked};
 use crate::{ProgressFn, ignore_progress};
 use merger::Merger;
 use placed_fragments::{PlacedMesh, build_placed, steps_of};
+
+/// Part of a mesh that a step collapses to one new vertex.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum PlacedCollapse {
+    /// An edge: two vertices become one.
+    #[default]
+    Edge,
+    /// A triangle: three vertices become one. If the third vertex cannot follow, or costs far more than other
+    /// collapses, only an edge is collapsed.
+    Triangle,
+}
+
+/// Options of [`build_placed_fragments`](crate::simplify::build_placed_fragments).
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct PlacedOptions {
+    /// Part that a step collapses; default [`PlacedCollapse::Edge`].
+    pub collapse: PlacedCollapse,
+    /// Rules and limits. The cost is always memoryless, and `pair_distance` must be `None`. The error limit
+    /// is one on certified errors: coarser levels are left out.
+    pub sequence: SequenceOptions,
+}
+
+impl PlacedOptions {
+    setters! {
+        with_collapse, collapse: PlacedCollapse;
+        with_sequence, sequence: SequenceOptions;
+    }
+}
+
+/// Result of [`build_placed_fragments`](crate::simplify::build_placed_fragments).
+#[derive(Clone, Debug)]
+pub struct BuiltPlaced {
+    /// The mesh in refinement order, with its steps. Vertices that a collapse creates come before those that
+    /// it removes; the full mesh does not use them.
+    pub fragmented: FragmentedMesh,
+    /// For each vertex, the vertex of the input that it came from; `None` if a collapse created it.
+    pub source_vertex: Vec<Option<u32>>,
+    /// Why the sequence stops at its base mesh.
+    pub stop_reason: StopReason,
+    /// Number of input triangles that were dropped because two of their corners share a position.
+    pub degenerate_triangle_count: usize,
+    /// Number of input vertices that were merged into equal ones.
+    pub merged_vertex_count: usize,
+}
 
 fn check_no_pairs(options: &SequenceOptions) -> Result<(), SimplifyError> {
     let Some(distance) = options.pair_distance else { return Ok(()) };

@@ -5,7 +5,8 @@ use glam::DVec3;
 use super::quadratic_form::{BORDER_WEIGHT, SharedTriangles, StarForm};
 use crate::simplify::collapse::flat_fold::{NOISE, TriangleNormal, turns_over};
 use crate::simplify::collapse::height_field::HeightField;
-use crate::simplify::collapse::links::{LinkEdge, LinkKind, Links};
+use crate::simplify::collapse::links::{LinkKind, Links};
+use crate::simplify::collapse::star::{EdgeSides, StarRing};
 
 /// Least squared cosine between the normals of an old triangle and its replacement.
 const FLIP_COSINE_SQUARED: f64 = 0.04;
@@ -24,11 +25,9 @@ type SeamWeight<'a> = &'a dyn Fn([u32; 2], DVec3) -> Option<f64>;
 #[derive(Debug, Default)]
 pub(super) struct PositionStar {
     pub center: DVec3,
-    /// Neighbors, each once.
-    pub ids: Vec<u32>,
+    pub ring: StarRing,
+    /// Neighbors relative to the center.
     pub offsets: Vec<DVec3>,
-    /// Corners of each triangle as indices into `ids`, and the triangle's index if the links store it.
-    pub triangles: Vec<LinkEdge>,
     /// Unscaled normals of the triangles.
     normals: Vec<DVec3>,
     /// Indices of neighbors along a border of any kind: boundary, seam that must stay, edge with three
@@ -48,78 +47,48 @@ impl PositionStar {
         v: u32,
         seam_weight: Option<SeamWeight<'_>>,
     ) {
-        links.edges_into(v, &mut self.triangles);
-        self.ids.clear();
-        self.borders.clear();
-        self.seams.clear();
-        let kind = links.kind(v);
-        match kind {
-            LinkKind::Empty => {}
-            LinkKind::Closed | LinkKind::Open => self.index_ring(links.entries(v)),
-            LinkKind::Edges => self.index_edges(),
-        }
+        self.ring.gather(links, v);
         self.center = positions[v as usize];
         self.offsets.clear();
-        self.offsets.extend(self.ids.iter().map(|&id| positions[id as usize] - self.center));
-        let offsets = &self.offsets;
-        self.normals.clear();
-        self.normals
-            .extend(self.triangles.iter().map(|t| offsets[t.a as usize].cross(offsets[t.b as usize])));
-        match kind {
+        self.offsets.extend(self.ring.ids.iter().map(|&id| positions[id as usize] - self.center));
+        let mut normals = std::mem::take(&mut self.normals);
+        normals.clear();
+        normals.extend((0..self.ring.triangle_count()).map(|t| {
+            let [a, b] = self.corners(t);
+            a.cross(b)
+        }));
+        self.normals = normals;
+        self.borders.clear();
+        self.seams.clear();
+        match links.kind(v) {
             LinkKind::Empty => {}
             LinkKind::Closed if seam_weight.is_none() => {}
-            LinkKind::Open if seam_weight.is_none() => self.borders.extend([0, self.ids.len() as u32 - 1]),
-            _ => self.find_borders(links.has_two_sides(v), seam_weight),
+            LinkKind::Open if seam_weight.is_none() => {
+                self.borders.extend([0, self.offsets.len() as u32 - 1])
+            }
+            _ => self.find_borders(seam_weight),
         }
     }
 
-    fn index_ring(&mut self, ring: &[u32]) {
-        self.ids.extend_from_slice(ring);
-        let n = ring.len();
-        for (i, t) in self.triangles.iter_mut().enumerate() {
-            (t.a, t.b) = (i as u32, if i + 1 == n { 0 } else { i as u32 + 1 });
-        }
-    }
-
-    fn index_edges(&mut self) {
-        self.ids.extend(self.triangles.iter().flat_map(|t| [t.a, t.b]));
-        self.ids.sort_unstable();
-        self.ids.dedup();
-        for t in &mut self.triangles {
-            let index_of = |id: u32| self.ids.binary_search(&id).unwrap_or(0) as u32;
-            (t.a, t.b) = (index_of(t.a), index_of(t.b));
-        }
-    }
-
-    fn find_borders(&mut self, has_two_sides: bool, seam_weight: Option<SeamWeight<'_>>) {
-        for i in 0..self.ids.len() as u32 {
-            let mut after = self.triangles.iter().filter(|t| t.a == i);
-            let mut before = self.triangles.iter().filter(|t| t.b == i);
-            // Pairs of triangles that continue the surface at the edge. A sheet that is modeled from both
-            // sides has two, or none at its boundary, where only opposite copies meet.
-            let firsts = [after.next(), before.next(), after.next(), before.next()];
-            let sides = match firsts {
-                [Some(s), Some(t), None, None] if !has_two_sides || s.b != t.a => [Some((s, t)), None],
-                [Some(s), Some(t), Some(r), Some(u)]
-                    if has_two_sides && after.next().or(before.next()).is_none() && s.b != r.b =>
-                {
-                    match [t.a, u.a] {
-                        [a, b] if [a, b] == [s.b, r.b] => [Some((s, u)), Some((r, t))],
-                        [a, b] if [b, a] == [s.b, r.b] => [Some((s, t)), Some((r, u))],
-                        _ => [None; 2],
-                    }
-                }
-                _ => [None; 2],
+    fn find_borders(&mut self, seam_weight: Option<SeamWeight<'_>>) {
+        for (i, &along) in (0..).zip(&self.offsets) {
+            let triangles = &self.ring.triangles;
+            let weight_of = |[t, s]: [usize; 2]| seam_weight?([triangles[s], triangles[t]], along);
+            let weight = match self.ring.sides(i as usize) {
+                EdgeSides::Boundary | EdgeSides::Branch => Some(f64::INFINITY),
+                EdgeSides::Inner(sides) => sides.into_iter().flatten().filter_map(weight_of).reduce(f64::max),
             };
-            let along = self.offsets[i as usize];
-            let weight_of = |(s, t): (&LinkEdge, &LinkEdge)| seam_weight?([s.triangle, t.triangle], along);
-            let weight = sides.into_iter().flatten().filter_map(weight_of).reduce(f64::max);
-            if sides[0].is_none() || weight.is_some_and(|weight| !weight.is_finite()) {
-                self.borders.push(i);
-            } else if let Some(weight) = weight {
-                self.seams.push((i, weight));
+            match weight {
+                None => {}
+                Some(weight) if weight.is_finite() => self.seams.push((i, weight)),
+                Some(_) => self.borders.push(i),
             }
         }
+    }
+
+    /// Returns the corners of triangle `t` besides the center.
+    fn corners(&self, t: usize) -> [DVec3; 2] {
+        self.ring.triangle(t).map(|i| self.offsets[i])
     }
 
     /// Returns the quadratic form of the whole star.
@@ -136,8 +105,8 @@ impl PositionStar {
     /// Returns the triangles that the star shares with that of neighbor `i`.
     pub(super) fn shared(&self, i: usize) -> SharedTriangles {
         let mut shared = SharedTriangles::default();
-        for (t, &normal) in self.triangles.iter().zip(&self.normals) {
-            if t.a as usize == i || t.b as usize == i {
+        for (t, &normal) in self.normals.iter().enumerate() {
+            if self.ring.triangle(t).contains(&i) {
                 shared.add_triangle(normal);
             }
         }
@@ -151,12 +120,11 @@ impl PositionStar {
 
     /// Returns the triangles that are kept when the center moves and `other` is merged with it.
     fn kept_triangles(&self, other: u32) -> impl Iterator<Item = KeptTriangle> {
-        let gone = self.ids.iter().position(|&id| id == other).map_or(u32::MAX, |i| i as u32);
-        let stays = move |t: &&LinkEdge| t.a != gone && t.b != gone;
-        let triangles = self.triangles.iter().zip(&self.normals).enumerate();
-        triangles.filter(move |(_, (t, _))| stays(t)).map(|(index, (t, &normal))| {
-            let [a, b] = [t.a, t.b].map(|i| self.offsets[i as usize]);
-            KeptTriangle { index, a, b, normal }
+        let gone = self.ring.index_of(other);
+        let stays = move |t: &usize| gone.is_none_or(|gone| !self.ring.triangle(*t).contains(&gone));
+        (0..self.normals.len()).filter(stays).map(|index| {
+            let [a, b] = self.corners(index);
+            KeptTriangle { index, a, b, normal: self.normals[index] }
         })
     }
 
@@ -182,15 +150,15 @@ impl PositionStar {
         other: u32,
         place: [f32; 2],
     ) -> bool {
-        let corners = self.triangles.iter().map(|t| [t.a, t.b].map(|i| self.ids[i as usize]));
+        let corners = (0..self.normals.len()).map(|t| self.ring.triangle(t).map(|i| self.ring.ids[i]));
         corners.filter(|corners| !corners.contains(&other)).all(|ab| field.keeps_facing(v, ab, place))
     }
 
     /// Whether a kept triangle turns over within a flat surface if the center moves by `x`.
     #[cold]
     fn turns_over(&self, KeptTriangle { index, a, b, .. }: KeptTriangle, x: DVec3) -> bool {
-        let others = self.triangles.iter().enumerate().filter(|&(i, _)| i != index).map(|(_, t)| {
-            let [a, b] = [t.a, t.b].map(|i| self.offsets[i as usize]);
+        let others = (0..self.normals.len()).filter(|&t| t != index).map(|t| {
+            let [a, b] = self.corners(t);
             TriangleNormal::new([DVec3::ZERO, a, b])
         });
         turns_over(TriangleNormal::new([DVec3::ZERO, a, b]), TriangleNormal::new([x, a, b]), others)
@@ -274,7 +242,7 @@ mod tests {
     fn borders_of_a_grid() {
         assert!(neighborhood_of(4).borders.is_empty());
         let edge = neighborhood_of(1);
-        let mut across: Vec<u32> = edge.borders.iter().map(|&i| edge.ids[i as usize]).collect();
+        let mut across: Vec<u32> = edge.borders.iter().map(|&i| edge.ring.ids[i as usize]).collect();
         across.sort_unstable();
         assert_eq!(across, [0, 2]);
     }

@@ -19,7 +19,7 @@ impl RemovalEvaluator<'_> {
             return None;
         }
         let mut best: Option<RemovalCandidate> = None;
-        for k in 0..self.collapse_evaluator.star.ids.len() {
+        for k in 0..self.collapse_evaluator.star.ring.ids.len() {
             if self.collapse_evaluator.star.costs[k] < f32::INFINITY
                 && let Some(candidate) = self.evaluate_collapse(v, k)
                 && best.is_none_or(|best| candidate.cost < best.cost)
@@ -41,7 +41,7 @@ impl RemovalEvaluator<'_> {
             return true;
         };
         let star = &mut self.collapse_evaluator.star;
-        let n = star.ids.len();
+        let n = star.ring.ids.len();
         self.hole.load((0..n).map(|i| star.offset(i)), kind == LinkKind::Closed);
         match self.hole.features(cosine) {
             Features::None => {}
@@ -56,7 +56,7 @@ impl RemovalEvaluator<'_> {
     fn evaluate_collapse(&mut self, v: u32, k: usize) -> Option<RemovalCandidate> {
         let Self { collapse_evaluator, floor, .. } = self;
         let CostEvaluator { star, legality, links, .. } = collapse_evaluator;
-        let u = star.ids[k];
+        let u = star.ring.ids[k];
         if !legality.allows(links, v, u)
             || !collapse_evaluator.keeps_height_field(v, u)
             || !collapse_evaluator.pair(v, k)

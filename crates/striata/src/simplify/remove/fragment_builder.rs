@@ -194,7 +194,8 @@ impl<'a> FragmentBuilder<'a> {
         self.floor_triangles.clear();
         self.floor_triangles
             .extend((first..).zip(&self.floor).map(|(face_index, face)| (face_index, face.0.map(to_f64))));
-        let bound = self.cover.propose(&evaluator.collapse_evaluator.star.triangles, &self.floor_triangles);
+        let bound =
+            self.cover.propose(&evaluator.collapse_evaluator.star.ring.triangles, &self.floor_triangles);
         let nearest = bound as f32;
         let up = if f64::from(nearest) < bound { nearest.next_up() } else { nearest };
         up.min(f32::MAX)
@@ -203,7 +204,7 @@ impl<'a> FragmentBuilder<'a> {
     fn remove(&mut self, v: u32, filling: Filling, error: f32) {
         self.cover.commit();
         let evaluator = &mut self.evaluator;
-        let nearest = (0..evaluator.collapse_evaluator.star.ids.len()).min_by(|&a, &b| {
+        let nearest = (0..evaluator.collapse_evaluator.star.ring.ids.len()).min_by(|&a, &b| {
             let squared = |i| evaluator.collapse_evaluator.star.offset(i).length_squared();
             squared(a).total_cmp(&squared(b))
         });
@@ -211,7 +212,7 @@ impl<'a> FragmentBuilder<'a> {
             Filling::Collapse(k) | Filling::Relaxed(k) => k,
             Filling::Free => nearest.unwrap_or(0),
         };
-        let target = evaluator.collapse_evaluator.star.ids[k];
+        let target = evaluator.collapse_evaluator.star.ring.ids[k];
         if let Some(targets) = &mut self.record.targets {
             evaluator.collapse_evaluator.pair(v, k);
             if let Some(wedges) = &evaluator.collapse_evaluator.wedges {
@@ -228,11 +229,11 @@ impl<'a> FragmentBuilder<'a> {
                 self.filled.push((face_index, corners.map(|c| wedges.position_of(c))));
             }
         }
-        evaluator.points.assign(first, &evaluator.floor_corners);
+        evaluator.points.assign_loaded(first, &evaluator.floor_corners);
         self.ring.clear();
-        self.ring.extend_from_slice(&star.ids);
-        self.record.ceilings.extend_from_slice(&star.triangles);
-        let removed = star.triangle_count() - self.floor.len();
+        self.ring.extend_from_slice(&star.ring.ids);
+        self.record.ceilings.extend_from_slice(&star.ring.triangles);
+        let removed = star.ring.triangle_count() - self.floor.len();
         self.triangle_count -= removed;
         links.fill(v, &self.filled);
         self.record.push(v, error, evaluator.groups.len() as u32);

@@ -37,7 +37,6 @@ mod hole;
 mod removal_evaluator;
 mod removal_options;
 mod removal_record;
-mod tracked_vertices;
 
 pub use removal_options::{BuiltFragments, HoleCriterion, RemovalOptions, RemovalOrder, Retriangulation};
 

@@ -10,6 +10,7 @@
 use crate::mesh::Welded;
 use crate::simplify::collapse::collapse_choice::CollapseChoice;
 use crate::simplify::collapse::cost_evaluator::CostEvaluator;
+use crate::simplify::collapse::costs::{RemovedVertices, nearest};
 use crate::simplify::collapse::links::{LinkKind, Links};
 use crate::simplify::collapse::star::Star;
 use crate::simplify::collapse::wedges::Wedges;
@@ -19,7 +20,6 @@ use glam::Vec3;
 
 use super::hole::{Features, Hole, RingTriangle};
 use super::removal_options::{RemovalOptions, RemovalOrder, Retriangulation};
-use super::tracked_vertices::{TrackedVertices, nearest};
 
 /// Weight of the squared distance of the removed vertex, and of squared gaps, over the area of the
 /// star, relative to distances of previously removed vertices.
@@ -89,7 +89,7 @@ pub(super) struct RemovalEvaluator<'a> {
     pub phase: CollapsePhase,
     /// Group of each face.
     pub groups: Vec<u32>,
-    pub points: TrackedVertices,
+    pub points: RemovedVertices,
     pub hole: Hole,
     /// Cosine of the angle between normals beyond which an edge is a feature.
     pub feature_cosine: Option<f32>,
@@ -129,12 +129,8 @@ impl<'a> RemovalEvaluator<'a> {
         for (group_index, group) in welded.mesh.groups.iter().enumerate() {
             groups[group.range()].fill(group_index as u32);
         }
-        let weight = (0..position_count as u32).map(|v| {
-            collapse_evaluator.gather(v);
-            collapse_evaluator.star.compute_costs();
-            collapse_evaluator.star.area() / 3.0
-        });
-        let points = TrackedVertices::new(welded.mesh.triangle_count(), weight.collect());
+        let CostEvaluator { star, links, positions, .. } = &mut collapse_evaluator;
+        let points = RemovedVertices::new(star, links, positions, welded.mesh.triangle_count());
         Self {
             options,
             collapse_evaluator,
@@ -163,11 +159,11 @@ impl<'a> RemovalEvaluator<'a> {
         let is_ring = matches!(links.kind(v), LinkKind::Closed | LinkKind::Open);
         let degree_limit = self.options.degree_limit;
         // A triangle and its opposite copy count as one.
-        let is_hub = degree > degree_limit && !(degree <= 2 * degree_limit && star.is_two_sided());
+        let is_hub = degree > degree_limit && !(degree <= 2 * degree_limit && star.ring.is_two_sided());
         if is_hub && self.phase < CollapsePhase::Hubs {
             return None;
         }
-        self.points.load(&star.triangles, positions, v);
+        self.points.load(&star.ring.triangles, positions, v);
         let strict = if is_hub {
             None
         } else {
@@ -184,7 +180,7 @@ impl<'a> RemovalEvaluator<'a> {
         let choice = self.collapse_evaluator.relaxed_choice(v)?;
         let CollapseChoice { cost, target, distance_squared, protrusion_squared, .. } = choice;
         let Self { collapse_evaluator: CostEvaluator { star, .. }, floor, .. } = self;
-        let k = star.ids.iter().position(|&id| id == target)?;
+        let k = star.ring.index_of(target)?;
         fan_into(star, k, floor);
         self.update_floor_corners();
         let (increase, one_sided) = self.increase();
@@ -214,26 +210,26 @@ impl<'a> RemovalEvaluator<'a> {
         else {
             return false;
         };
-        let group = groups[star.triangles[0] as usize];
-        if star.triangles.iter().any(|&t| groups[t as usize] != group) {
+        let group = groups[star.ring.triangles[0] as usize];
+        if star.ring.triangles.iter().any(|&t| groups[t as usize] != group) {
             return false;
         }
         ring_vertices.clear();
         if !self.has_wedges {
-            ring_vertices.extend_from_slice(&star.ids);
+            ring_vertices.extend_from_slice(&star.ring.ids);
             return true;
         }
-        ring_vertices.resize(star.ids.len(), NONE);
+        ring_vertices.resize(star.ring.ids.len(), NONE);
         let mut center = NONE;
         let agrees = |known: &mut u32, vertex: u32| {
             let is_same = *known == NONE || *known == vertex;
             *known = vertex;
             is_same
         };
-        (0..star.triangle_count()).all(|t| {
-            let [a, b] = star.triangle(t);
-            let triangle = star.triangles[t];
-            let [x, y] = [a, b].map(|i| wedges.vertex_at(triangle, star.ids[i]));
+        (0..star.ring.triangle_count()).all(|t| {
+            let [a, b] = star.ring.triangle(t);
+            let triangle = star.ring.triangles[t];
+            let [x, y] = [a, b].map(|i| wedges.vertex_at(triangle, star.ring.ids[i]));
             let own = wedges.corners(triangle).into_iter().find(|&c| c != x && c != y).unwrap_or(x);
             agrees(&mut center, own) && agrees(&mut ring_vertices[a], x) && agrees(&mut ring_vertices[b], y)
         })
@@ -262,7 +258,7 @@ impl<'a> RemovalEvaluator<'a> {
                 (increase, one_sided, gap_squared)
             }
             RemovalPrecision::Exact => {
-                let (own, _) = nearest(&self.floor_corners, Vec3::ZERO)?;
+                let (own, _) = nearest(self.floor_corners.iter().map(|&corners| (corners, ())), Vec3::ZERO)?;
                 let protrusion = gap_squared.max(self.hole.protrusion_squared(&self.floor));
                 surface_cost += GAP_AREA_WEIGHT * area * (own + gap_sum.max(protrusion));
                 let (increase, one_sided) = self.increase();
@@ -281,22 +277,22 @@ impl<'a> RemovalEvaluator<'a> {
     fn load_hole(&mut self, v: u32) -> bool {
         let CostEvaluator { links, star, height_field, .. } = &self.collapse_evaluator;
         let is_closed = links.kind(v) == LinkKind::Closed;
-        let n = star.ids.len();
+        let n = star.ring.ids.len();
         self.hole.load((0..n).map(|i| star.offset(i)), is_closed);
         if let Some(field) = height_field {
-            self.hole.keep_facing(field.facing(star, v), star.ids.iter().map(|&p| field.at(p)));
+            self.hole.keep_facing(field.facing(star, v), star.ring.ids.iter().map(|&p| field.at(p)));
         }
         if is_closed && n == 3 {
             // The removal would fold a tetrahedron flat.
-            let [a, b, c] = [0, 1, 2].map(|i| star.ids[i]);
+            let [a, b, c] = [0, 1, 2].map(|i| star.ring.ids[i]);
             return !self.has_triangle(a, b, c);
         }
         for i in 0..n {
-            let entries = links.entries(star.ids[i]);
+            let entries = links.entries(star.ring.ids[i]);
             let is_full = entries.len() > MAX_VALENCE;
             for j in 0..n {
                 let is_old = j.abs_diff(i) <= 1 || (is_closed && j.abs_diff(i) == n - 1);
-                if !is_old && (is_full || entries.contains(&star.ids[j])) {
+                if !is_old && (is_full || entries.contains(&star.ring.ids[j])) {
                     self.hole.forbid(i, j);
                 }
             }
@@ -349,8 +345,8 @@ impl<'a> RemovalEvaluator<'a> {
     /// Squared area between the old and the new path of the boundary.
     fn border_cost(&self) -> f32 {
         let star = &self.collapse_evaluator.star;
-        let n = star.ids.len();
-        if star.triangle_count() == n {
+        let n = star.ring.ids.len();
+        if star.ring.triangle_count() == n {
             return 0.0;
         }
         BORDER_WEIGHT * self.hole.at(0).cross(self.hole.at(n - 1)).length_squared()
@@ -362,7 +358,8 @@ impl<'a> RemovalEvaluator<'a> {
         let mut sum = 0.0;
         let mut worst = 0.0f32;
         for point in &self.points.loaded {
-            let Some((squared, _)) = nearest(&self.floor_corners, point.at) else { break };
+            let corners = self.floor_corners.iter().map(|&corners| (corners, ()));
+            let Some((squared, ())) = nearest(corners, point.at) else { break };
             sum += point.weight * (squared - point.before);
             worst = worst.max(squared);
         }
@@ -389,20 +386,20 @@ impl<'a> RemovalEvaluator<'a> {
         out.clear();
         let Self { collapse_evaluator, groups, floor, ring_vertices, .. } = self;
         if self.is_plain {
-            let group = groups[collapse_evaluator.star.triangles[0] as usize];
+            let group = groups[collapse_evaluator.star.ring.triangles[0] as usize];
             out.extend(floor.iter().map(|t| (t.map(|i| ring_vertices[i as usize]), group)));
             return;
         }
         let (Filling::Collapse(k) | Filling::Relaxed(k)) = filling else { return };
         collapse_evaluator.pair(v, k);
         let CostEvaluator { star, wedges: Some(wedges), .. } = collapse_evaluator else { return };
-        for t in 0..star.triangle_count() {
-            if star.triangle(t).contains(&k) {
+        for t in 0..star.ring.triangle_count() {
+            if star.ring.triangle(t).contains(&k) {
                 continue;
             }
-            let triangle = star.triangles[t];
+            let triangle = star.ring.triangles[t];
             let own = wedges.vertex_at(triangle, v);
-            let to = wedges.paired(own, star.ids[k]);
+            let to = wedges.paired(own, star.ring.ids[k]);
             let corners = wedges.corners(triangle).map(|c| if c == own { to } else { c });
             out.push((corners, groups[triangle as usize]));
         }
@@ -413,7 +410,8 @@ impl<'a> RemovalEvaluator<'a> {
 /// the star.
 pub(super) fn fan_into(star: &Star, k: usize, floor: &mut Vec<RingTriangle>) {
     floor.clear();
-    let kept = (0..star.triangle_count()).map(|t| star.triangle(t)).filter(|pair| !pair.contains(&k));
+    let kept =
+        (0..star.ring.triangle_count()).map(|t| star.ring.triangle(t)).filter(|pair| !pair.contains(&k));
     floor.extend(kept.map(|[a, b]| [k, a, b].map(|i| i as u8)));
 }
 

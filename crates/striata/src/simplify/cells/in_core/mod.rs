@@ -19,7 +19,7 @@ use self::surface::{DividedSurface, NONE, map};
 use crate::mesh::Welded;
 use crate::simplify::collapse::cost_evaluator::has_large_parts;
 use crate::simplify::collapse::refinement_order::CollapseRecord;
-use crate::simplify::{BoundaryRule, CollapseCost, SequenceOptions, SimplifyError, StopReason};
+use crate::simplify::{BoundaryRule, SequenceOptions, SimplifyError, StopReason};
 use crate::{Progress, ProgressFn};
 
 /// Largest number of triangles of a cell. Smaller cells are quicker, but worse by up to 1.7 % in RMS.
@@ -40,7 +40,7 @@ pub(in crate::simplify) fn is_worth_dividing(welded: &Welded, options: &Sequence
         && options.base_triangle_count < mesh.triangle_count()
         && welded.positions.is_identity()
         && mesh.layers.is_empty()
-        && options.cost == CollapseCost::Memoryless
+        && options.cost.create().rules().is_local
         && options.pair_distance.is_none_or(|distance| distance <= 0.0)
         && options.group_borders != BoundaryRule::Locked
         && has_large_parts(welded, MIN_PART_TRIANGLES)

@@ -4,7 +4,7 @@ use crate::mesh::{
     CollapseSequence, DisjointSets, IndexedMesh, RefinableMesh, canonical_triangles, replay, shapes, weld,
 };
 use crate::simplify::collapse::refinement_order::build_refinable;
-use crate::simplify::{Target, TopologyRule};
+use crate::simplify::{CostFunction, Target, TopologyRule};
 
 fn build(mesh: &IndexedMesh, options: &SequenceOptions, cell: usize) -> (RefinableMesh, StopReason) {
     let welded = weld(mesh).expect("the mesh is valid");
@@ -131,7 +131,7 @@ fn only_large_bare_meshes_of_large_parts_are_divided() {
     let options = SequenceOptions::default();
     assert!(is_worth_dividing(&large, &options));
     for other in [
-        options.clone().with_cost(CollapseCost::Tracked),
+        options.clone().with_cost(CostFunction::Tracked),
         options.clone().with_pair_distance(1.0),
         options.clone().with_group_borders(BoundaryRule::Locked),
     ] {

@@ -43,9 +43,9 @@ impl BatchBias {
     /// Raises the costs of the targets of `v`.
     pub(super) fn adjust(self, links: &Links, star: &mut Star, v: u32) {
         let own = closed_surface::valence(links, v);
-        for k in 0..star.ids.len() {
+        for k in 0..star.ring.ids.len() {
             // At a non-manifold target this includes its other fans, which is harmless for a bias.
-            let valence = (closed_surface::valence(links, star.ids[k]) + own).saturating_sub(4);
+            let valence = (closed_surface::valence(links, star.ring.ids[k]) + own).saturating_sub(4);
             let excess = valence.saturating_sub(self.fair_valence) as f32;
             let shape = self.left * self.shape * star.offset(k).length_squared();
             star.costs[k] = (star.costs[k] + shape) * (1.0 + self.left * self.valence_weight * excess);

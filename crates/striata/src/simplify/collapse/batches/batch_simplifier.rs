@@ -11,7 +11,7 @@
 
 use crate::mesh::Welded;
 use crate::simplify::collapse::collapse_choice::{CollapseChoice, CollapseKind};
-use crate::simplify::collapse::cost_evaluator::{CostEvaluator, CostHistory};
+use crate::simplify::collapse::cost_evaluator::CostEvaluator;
 use crate::simplify::collapse::executor::CollapseExecutor;
 use crate::simplify::collapse::refinement_order::CollapseRecord;
 use crate::simplify::collapse::relaxation_schedule::RelaxationSchedule;
@@ -189,7 +189,7 @@ impl<'a> BatchSimplifier<'a> {
         let mut legality = std::mem::take(&mut self.evaluator.legality);
         let choice = self.evaluator.best_choice_with(v, |links, star| {
             bias.adjust(links, star, v);
-            for (cost, &u) in star.costs.iter_mut().zip(&star.ids) {
+            for (cost, &u) in star.costs.iter_mut().zip(&star.ring.ids) {
                 if !is_free(u) || !closed_surface::allows(&mut legality, links, v, u) {
                     *cost = f32::INFINITY;
                 }
@@ -306,7 +306,7 @@ impl<'a> BatchSimplifier<'a> {
         let ring = std::mem::take(&mut self.executor.ring);
         ring.iter().for_each(|&w| self.mark_changed(w));
         self.executor.ring = ring;
-        if matches!(self.evaluator.history, CostHistory::Accumulated(_)) {
+        if self.evaluator.rules.target_grows {
             for i in 0..self.evaluator.links.entries(u).len() {
                 self.mark_changed(self.evaluator.links.entries(u)[i]);
             }

@@ -19,10 +19,10 @@ impl Star {
         }
         // No triangle is left (the last one of a border): measure the edges that remain of the old triangles.
         let edge = |t: usize| {
-            let [a, b] = self.triangle(t).map(|i| self.offset(i));
+            let [a, b] = self.ring.triangle(t).map(|i| self.offset(i));
             fan::distance_squared(self.offset(k), a, b)
         };
-        Some((0..self.triangle_count).map(edge).fold(f32::INFINITY, f32::min))
+        Some((0..self.ring.triangle_count()).map(edge).fold(f32::INFINITY, f32::min))
     }
 
     /// Squared distance of `v` from its star moved to `to`, which is not a neighbor, so that all
@@ -39,7 +39,7 @@ impl Star {
         let [a, b] = self.corners();
         let normals = slices(&self.normals, 0);
         let mut least = f32x8::splat(f32::INFINITY);
-        for t in vector_starts(self.triangle_count) {
+        for t in vector_starts(self.ring.triangle_count()) {
             let (a, b) = (Vec3x8::load(a, t), Vec3x8::load(b, t));
             let vanishes = load_lanes(&self.vanishes, t).simd_gt(f32x8::ZERO);
             let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
@@ -84,10 +84,10 @@ impl Star {
     /// Whether triangle `t` turns over within a flat surface if the center moves to `to`.
     #[cold]
     fn turns_over(&self, t: usize, to: Vec3) -> bool {
-        let [a, b] = self.triangle(t).map(|i| self.offset(i).as_dvec3());
+        let [a, b] = self.ring.triangle(t).map(|i| self.offset(i).as_dvec3());
         let to = to.as_dvec3();
-        let others = (0..self.triangle_count).filter(|&other| other != t).map(|other| {
-            let [a, b] = self.triangle(other).map(|i| self.offset(i).as_dvec3());
+        let others = (0..self.ring.triangle_count()).filter(|&other| other != t).map(|other| {
+            let [a, b] = self.ring.triangle(other).map(|i| self.offset(i).as_dvec3());
             TriangleNormal::new([DVec3::ZERO, a, b])
         });
         turns_over(TriangleNormal::new([DVec3::ZERO, a, b]), TriangleNormal::new([to, a, b]), others)
@@ -99,7 +99,7 @@ impl Star {
         let [a, b] = self.corners();
         let (u, p) = (Vec3x8::splat(self.offset(k)), Vec3x8::splat(p));
         let mut least = f32x8::splat(f32::INFINITY);
-        for t in vector_starts(self.triangle_count) {
+        for t in vector_starts(self.ring.triangle_count()) {
             let (a, b) = (Vec3x8::load(a, t), Vec3x8::load(b, t));
             let vanishes = load_lanes(&self.vanishes, t).simd_gt(f32x8::ZERO);
             let (ua, ub, up, ap, bp) = (a.sub(u), b.sub(u), p.sub(u), p.sub(a), p.sub(b));
@@ -118,30 +118,14 @@ impl Star {
 
     /// Marks the triangles that a collapse to neighbor `k` removes.
     pub(in crate::simplify) fn mark_vanishing(&mut self, k: Option<usize>) {
-        let padded = self.triangle_count.next_multiple_of(LANES);
+        let padded = self.ring.triangle_count().next_multiple_of(LANES);
         ensure_len(&mut self.vanishes, padded);
         let mut vanishes = std::mem::take(&mut self.vanishes);
-        let (real, rest) = vanishes[..padded].split_at_mut(self.triangle_count);
+        let (real, rest) = vanishes[..padded].split_at_mut(self.ring.triangle_count());
         real.fill(0.0);
         rest.fill(NO_TRIANGLE);
-        match k {
-            None => {}
-            Some(k) if self.pairs.is_empty() => {
-                // Triangle k begins at the neighbor, the one before ends at it.
-                let before = if k == 0 { self.ids.len() - 1 } else { k - 1 };
-                for t in [k, before] {
-                    if let Some(lane) = real.get_mut(t) {
-                        *lane = 1.0;
-                    }
-                }
-            }
-            Some(k) => {
-                for (lane, pair) in real.iter_mut().zip(&self.pairs) {
-                    if pair.contains(&(k as u32)) {
-                        *lane = 1.0;
-                    }
-                }
-            }
+        if let Some(k) = k {
+            self.ring.visit_triangles_at(k, |t| real[t] = 1.0);
         }
         self.vanishes = vanishes;
     }
@@ -151,20 +135,20 @@ impl Star {
     /// The distance of `v` alone does not detect a fan that bridges a valley.
     pub(in crate::simplify) fn protrusion_squared(&mut self, k: usize) -> f32 {
         // A ring of three gets no new edge; non-manifold stars can get one with fewer triangles.
-        if self.pairs.is_empty() && self.triangle_count < 4 {
+        if self.ring.pairs().is_none() && self.ring.triangle_count() < 4 {
             return 0.0;
         }
         let mut middles = std::mem::take(&mut self.middles);
         let u = self.offset(k);
         middles.clear();
-        for i in 0..self.ids.len() {
-            if i != k && !self.is_edge(i, k) {
+        for i in 0..self.ring.ids.len() {
+            if i != k && !self.ring.is_edge(i, k) {
                 middles.push((0.5 * (self.offset(i) + u), f32x8::splat(f32::INFINITY)));
             }
         }
         let [a, b] = self.corners();
         let normals = slices(&self.normals, 0);
-        for t in vector_starts(self.triangle_count) {
+        for t in vector_starts(self.ring.triangle_count()) {
             let (a, b) = (Vec3x8::load(a, t), Vec3x8::load(b, t));
             let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
             let normal = Vec3x8::load(normals, t);
@@ -189,19 +173,5 @@ impl Star {
         let worst = worst.fold(0.0, f32::max);
         self.middles = middles;
         worst
-    }
-
-    /// Whether neighbors `i` and `k` span a triangle with `v`.
-    fn is_edge(&self, i: usize, k: usize) -> bool {
-        if self.pairs.is_empty() {
-            let (low, high) = (i.min(k), i.max(k));
-            let wraps = self.triangle_count == self.ids.len();
-            high - low == 1 || (wraps && low == 0 && high + 1 == self.ids.len())
-        } else {
-            (0..self.triangle_count).any(|t| {
-                let pair = self.triangle(t);
-                pair.contains(&i) && pair.contains(&k)
-            })
-        }
     }
 }

@@ -23,13 +23,15 @@ mod border_edge;
 mod borders;
 mod candidate;
 mod lanes;
+mod ring;
 
 use glam::Vec3;
 use wide::{f32x4, f32x8};
 
-use super::links::{LinkEdge, LinkKind, Links};
+use super::links::Links;
 use border_edge::BorderEdge;
 use lanes::{Coordinates, LANES, Vec3x8, ensure_len, lane_sum, load_four, slices, vector_starts};
+pub(in crate::simplify) use ring::{EdgeSides, StarRing};
 
 /// Area, as a multiple of the squared distance, that a spike counts for in addition to the area of its
 /// star: thin spikes have almost no area, but are visible.
@@ -42,23 +44,16 @@ pub(in crate::simplify) type SeamBetween<'a> = &'a dyn Fn(&Star, usize, usize) -
 /// Scratch for the star of one position at a time.
 #[derive(Debug, Default)]
 pub(in crate::simplify) struct Star {
-    /// Neighbors, each once; candidates for the target.
-    pub ids: Vec<u32>,
+    /// Neighbors, which are the candidates for the target, and triangles.
+    pub ring: StarRing,
     /// Neighbors relative to `v`, then the first one again for rings, then zeros up to whole lanes.
     offsets: Coordinates,
-    /// Corners of each triangle as indices into `ids`; empty for rings, whose triangle i is (i, i + 1).
-    pairs: Vec<[u32; 2]>,
-    /// Whether triangles with opposite copies belong to a sheet that is modeled from both sides.
-    has_two_sides: bool,
-    /// Both corners of each triangle if `pairs` is used.
+    /// Both corners of each triangle if they are not consecutive neighbors.
     corners: [Coordinates; 2],
     /// Unscaled normals of the triangles, then zeros up to whole lanes.
     normals: Coordinates,
     /// Cost of each neighbor as the target; infinite if it is not allowed.
     pub costs: Vec<f32>,
-    /// Triangle indices, if the links store them.
-    pub triangles: Vec<u32>,
-    triangle_count: usize,
     /// Coefficients of the quadratic form: xx, yy, zz, xy, xz, yz.
     form: [f32; 6],
     /// Doubled area of all triangles.
@@ -69,7 +64,6 @@ pub(in crate::simplify) struct Star {
     vanishes: Vec<f32>,
     /// Midpoints of new edges, and their squared distances from the old triangles.
     middles: Vec<(Vec3, f32x8)>,
-    edges: Vec<LinkEdge>,
     border_edges: Vec<BorderEdge>,
     /// The vertex of the center that each triangle uses, if
     /// [`Wedges::load_center_wedges`](super::wedges::Wedges::load_center_wedges) was called.
@@ -77,11 +71,6 @@ pub(in crate::simplify) struct Star {
 }
 
 impl Star {
-    /// Number of triangles.
-    pub(in crate::simplify) fn triangle_count(&self) -> usize {
-        self.triangle_count
-    }
-
     /// Area of the star, in scaled units.
     pub(in crate::simplify) fn area(&self) -> f32 {
         0.5 * self.area_doubled
@@ -89,9 +78,9 @@ impl Star {
 
     /// Squared length of the longest edge of the star.
     pub(in crate::simplify) fn longest_edge_squared(&self) -> f32 {
-        let spokes = (0..self.ids.len()).map(|i| self.offset(i).length_squared());
-        let rim = (0..self.triangle_count).map(|t| {
-            let [a, b] = self.triangle(t).map(|i| self.offset(i));
+        let spokes = (0..self.ring.ids.len()).map(|i| self.offset(i).length_squared());
+        let rim = (0..self.ring.triangle_count()).map(|t| {
+            let [a, b] = self.ring.triangle(t).map(|i| self.offset(i));
             (a - b).length_squared()
         });
         spokes.chain(rim).fold(0.0, f32::max)
@@ -104,68 +93,31 @@ impl Star {
         Vec3::new(x[i], y[i], z[i])
     }
 
-    /// Returns the two neighbors that span triangle `t`.
-    #[inline]
-    pub(in crate::simplify) fn triangle(&self, t: usize) -> [usize; 2] {
-        if self.pairs.is_empty() {
-            [t, if t + 1 == self.ids.len() { 0 } else { t + 1 }]
-        } else {
-            self.pairs[t].map(|i| i as usize)
-        }
-    }
-
     /// Returns the first and second corners of all triangles.
     #[inline]
     fn corners(&self) -> [[&[f32]; 3]; 2] {
-        if self.pairs.is_empty() {
-            [slices(&self.offsets, 0), slices(&self.offsets, 1)]
-        } else {
-            [slices(&self.corners[0], 0), slices(&self.corners[1], 0)]
+        match self.ring.pairs() {
+            None => [slices(&self.offsets, 0), slices(&self.offsets, 1)],
+            Some(_) => [slices(&self.corners[0], 0), slices(&self.corners[1], 0)],
         }
     }
 
     /// Gathers the star of `v`, with triangle indices if the links store them.
     pub(in crate::simplify) fn gather(&mut self, links: &Links, positions: &[[f32; 4]], v: u32) {
-        self.pairs.clear();
-        self.has_two_sides = links.has_two_sides(v);
-        match links.kind(v) {
-            LinkKind::Closed | LinkKind::Open => {
-                self.ids.clear();
-                self.ids.extend_from_slice(links.entries(v));
-                self.triangle_count = links.triangle_count(v);
-                if links.follows_triangles() {
-                    self.triangles.clear();
-                    self.triangles.extend_from_slice(&links.entry_triangles(v)[..self.triangle_count]);
-                }
-            }
-            LinkKind::Empty | LinkKind::Edges => self.gather_edges(links, v),
-        }
+        self.ring.gather(links, v);
         self.load_offsets(positions, v);
         self.compute_normals();
     }
 
-    fn gather_edges(&mut self, links: &Links, v: u32) {
-        links.edges_into(v, &mut self.edges);
-        self.triangle_count = self.edges.len();
-        self.ids.clear();
-        self.ids.extend(self.edges.iter().flat_map(|e| [e.a, e.b]));
-        self.ids.sort_unstable();
-        self.ids.dedup();
-        let index_of = |id: u32| self.ids.binary_search(&id).unwrap_or(0) as u32;
-        self.pairs.extend(self.edges.iter().map(|e| [index_of(e.a), index_of(e.b)]));
-        self.triangles.clear();
-        self.triangles.extend(self.edges.iter().map(|e| e.triangle));
-    }
-
     fn load_offsets(&mut self, positions: &[[f32; 4]], v: u32) {
-        let n = self.ids.len();
+        let n = self.ring.ids.len();
         // Leaves room for a whole SIMD vector after the repeated first entry.
         let padded = n + 1 + 2 * LANES;
         self.offsets.iter_mut().for_each(|array| ensure_len(array, padded));
         let [vx, vy, vz, _] = positions[v as usize];
         let [x, y, z] = &mut self.offsets;
         let (x, y, z) = (&mut x[..padded], &mut y[..padded], &mut z[..padded]);
-        for (i, &id) in self.ids.iter().enumerate() {
+        for (i, &id) in self.ring.ids.iter().enumerate() {
             let [px, py, pz, _] = positions[id as usize];
             x[i] = px - vx;
             y[i] = py - vy;
@@ -175,17 +127,12 @@ impl Star {
             array[n] = array[0];
             array[n + 1..n + 1 + LANES].copy_from_slice(&[0.0; LANES]);
         }
-        if !self.pairs.is_empty() {
-            self.load_corners();
-        }
-    }
-
-    fn load_corners(&mut self) {
-        let padded = self.triangle_count.next_multiple_of(LANES) + LANES;
+        let Some(pairs) = self.ring.pairs() else { return };
+        let padded = self.ring.triangle_count().next_multiple_of(LANES) + LANES;
         for (side, corners) in self.corners.iter_mut().enumerate() {
             for (offsets, corners) in self.offsets.iter().zip(corners) {
                 ensure_len(corners, padded);
-                for (corner, pair) in corners.iter_mut().zip(&self.pairs) {
+                for (corner, pair) in corners.iter_mut().zip(pairs) {
                     *corner = offsets[pair[side] as usize];
                 }
             }
@@ -193,7 +140,7 @@ impl Star {
     }
 
     fn compute_normals(&mut self) {
-        let m = self.triangle_count;
+        let m = self.ring.triangle_count();
         let mut normals = std::mem::take(&mut self.normals);
         normals.iter_mut().for_each(|array| ensure_len(array, m + 2 * LANES));
         let [a, b] = self.corners();
@@ -213,7 +160,7 @@ impl Star {
     pub(in crate::simplify) fn compute_costs(&mut self) {
         self.form = self.quadric();
         let [xx, yy, zz, xy, xz, yz] = self.form.map(f32x8::splat);
-        let n = self.ids.len();
+        let n = self.ring.ids.len();
         self.costs.clear();
         let offsets = slices(&self.offsets, 0);
         for i in vector_starts(n) {
@@ -238,7 +185,7 @@ impl Star {
     fn quadric(&mut self) -> [f32; 6] {
         // Sums: xx yy zz xy xz yz | nx ny nz | area.
         let mut sums = [f32x4::ZERO; 10];
-        for t in (0..self.triangle_count).step_by(4) {
+        for t in (0..self.ring.triangle_count()).step_by(4) {
             let [x, y, z] = &self.normals;
             let (x, y, z) = (load_four(x, t), load_four(y, t), load_four(z, t));
             let length = (x * x + y * y + z * z).sqrt();

@@ -2,12 +2,11 @@
 
 use glam::DVec3;
 
+use super::EdgeChoice;
 use super::Merger;
-use super::edge_choice::{EdgeChoice, NO_CHOICE};
-use crate::simplify::collapse::collapse_choice::CollapseChoice;
+use crate::simplify::collapse::collapse_choice::{CollapseChoice, CollapseKind};
 use crate::simplify::collapse::cost_evaluator::CostEvaluator;
 use crate::simplify::options::SeamRule;
-use crate::simplify::place::edge_placement::{EdgePlacement, candidate_positions, first_candidate_cost};
 use crate::simplify::place::neighborhood::PositionStar;
 use crate::simplify::place::quadratic_form::EdgeForm;
 use crate::simplify::place::seams::{Merge, SeamCosts, seam_weight};
@@ -19,6 +18,55 @@ const DISTANCE_WEIGHT: f64 = 0.1;
 /// their stars. On meshes of thin parts, it reduces RMS by a fifth down to 10 % of the triangles; on
 /// scans it changes almost nothing.
 const SPIKE_WEIGHT: f64 = 32.0;
+
+/// Rule for placing the new vertex of an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum EdgePlacement {
+    Free,
+    /// At the end from which the edge is evaluated.
+    FirstEnd,
+    /// At the other end.
+    SecondEnd,
+    /// At either end.
+    EitherEnd,
+    Forbidden,
+}
+
+/// Cost of the first candidate position.
+fn first_candidate_cost(edge: &EdgeForm, placement: EdgePlacement, tip: DVec3) -> f64 {
+    let position = match placement {
+        EdgePlacement::Free => edge.volume_preserving().or_else(|| edge.cheapest()).unwrap_or(0.5 * tip),
+        EdgePlacement::FirstEnd => DVec3::ZERO,
+        EdgePlacement::SecondEnd => tip,
+        EdgePlacement::EitherEnd => return edge.cost(DVec3::ZERO).min(edge.cost(tip)),
+        EdgePlacement::Forbidden => return f64::INFINITY,
+    };
+    edge.cost(position)
+}
+
+/// Returns candidate positions for the new vertex, relative to the edge's first end and best first,
+/// each with whether the first end is the one kept.
+fn candidate_positions(edge: &EdgeForm, placement: EdgePlacement, tip: DVec3) -> [Option<(DVec3, bool)>; 5] {
+    let (first_end, second_end) = ((DVec3::ZERO, true), (tip, false));
+    let ends = if edge.cost(first_end.0) <= edge.cost(second_end.0) {
+        [first_end, second_end]
+    } else {
+        [second_end, first_end]
+    };
+    match placement {
+        EdgePlacement::Free => [
+            edge.volume_preserving().map(|position| (position, false)),
+            edge.cheapest().map(|position| (position, false)),
+            Some((0.5 * tip, false)),
+            Some((ends[0].0, false)),
+            Some((ends[1].0, false)),
+        ],
+        EdgePlacement::FirstEnd => [Some(first_end), None, None, None, None],
+        EdgePlacement::SecondEnd => [Some(second_end), None, None, None, None],
+        EdgePlacement::EitherEnd => [Some(ends[0]), Some(ends[1]), None, None, None],
+        EdgePlacement::Forbidden => [None; 5],
+    }
+}
 
 impl Merger<'_> {
     pub(super) fn gather(&mut self, v: u32) {
@@ -44,7 +92,7 @@ impl Merger<'_> {
     /// Computes the costs of all edges of the gathered `v` from the quadratic forms alone.
     pub(super) fn fill_costs(&mut self, v: u32) {
         self.costs.clear();
-        for i in 0..self.neighborhood.ids.len() {
+        for i in 0..self.neighborhood.ring.ids.len() {
             let cost = match self.placement(v, i) {
                 EdgePlacement::Forbidden => f64::INFINITY,
                 placement => {
@@ -56,7 +104,7 @@ impl Merger<'_> {
     }
 
     fn edge_form(&self, v: u32, i: usize) -> EdgeForm {
-        let other = &self.stars[self.neighborhood.ids[i] as usize].form;
+        let other = &self.stars[self.neighborhood.ring.ids[i] as usize].form;
         EdgeForm::new(
             &self.stars[v as usize].form,
             other,
@@ -67,7 +115,7 @@ impl Merger<'_> {
 
     /// Returns the rule for placing the new vertex of the edge from the gathered `v` to its neighbor `i`.
     fn placement(&self, v: u32, i: usize) -> EdgePlacement {
-        let u = self.neighborhood.ids[i];
+        let u = self.neighborhood.ring.ids[i];
         if self.evaluator.is_hub(u) {
             return EdgePlacement::Forbidden;
         }
@@ -113,7 +161,7 @@ impl Merger<'_> {
         match best.or_else(|| self.relaxed(v)) {
             None => self.heap.remove(v),
             Some((cost, choice)) => {
-                self.choices[v as usize] = choice;
+                self.choices[v as usize] = Some(choice);
                 if cost > bound {
                     self.heap.set(v, cost);
                 }
@@ -141,7 +189,7 @@ impl Merger<'_> {
     /// seams are crossed, and its cost.
     pub(super) fn evaluate_edge(&mut self, v: u32, i: usize, limit: f32) -> Option<(f32, EdgeChoice)> {
         let placement = self.placement(v, i);
-        let u = self.neighborhood.ids[i];
+        let u = self.neighborhood.ring.ids[i];
         let edge = self.edge_form(v, i);
         let offset = self.neighborhood.offsets[i];
         gather_into(&mut self.other_neighborhood, &self.evaluator, &self.positions, self.seams, u);
@@ -182,8 +230,16 @@ impl Merger<'_> {
                 let cost = (edge.cost(local) + distance_cost + crossing) as f32;
                 if best.is_none_or(|(least, _)| cost < least) {
                     let other_version = self.stars[u as usize].version;
-                    best =
-                        Some((cost, EdgeChoice { other: u, other_version, is_kept, position, ..NO_CHOICE }));
+                    let kind = CollapseKind::Strict;
+                    let choice = EdgeChoice {
+                        other: u,
+                        other_version,
+                        is_kept,
+                        position,
+                        kind,
+                        distance_squared: 0.0,
+                    };
+                    best = Some((cost, choice));
                 }
                 if crossing == 0.0 {
                     break;

@@ -1,17 +1,16 @@
 //! The loop: collapses the cheapest edge and updates the costs around it.
 
-mod edge_choice;
 mod edge_evaluation;
-mod merge_log;
 
 use glam::DVec3;
 
 use crate::mesh::{AttributeLayer, Welded};
 use crate::simplify::collapse::collapse_choice::CollapseKind;
 use crate::simplify::collapse::cost_evaluator::CostEvaluator;
+use crate::simplify::collapse::costs::CostFunction;
 use crate::simplify::collapse::heap::IndexedHeap;
 use crate::simplify::collapse::relaxation_schedule::RelaxationSchedule;
-use crate::simplify::options::{CollapseCost, SeamRule, SequenceOptions, SimplifyError, StopReason};
+use crate::simplify::options::{SeamRule, SequenceOptions, SimplifyError, StopReason};
 use crate::simplify::scaled_space::ScaledSpace;
 use crate::{Progress, ProgressFn};
 
@@ -20,12 +19,23 @@ use super::neighborhood::PositionStar;
 use super::quadratic_form::StarForm;
 
 use super::seams::merge_wedges;
-use edge_choice::{EdgeChoice, NO_CHOICE, UNDECIDED};
-pub(super) use merge_log::{LoggedMerge, MergeLog};
 
 /// A third vertex follows a collapsed edge if that costs at most this many times as much as the next
 /// collapse in the queue, or as the edge.
 const THIRD_VERTEX_FACTOR: f32 = 8.0;
+
+/// An edge collapse whose cost has been evaluated in full.
+#[derive(Clone, Copy, Debug)]
+struct EdgeChoice {
+    other: u32,
+    other_version: u32,
+    /// Whether the other end is removed and this one kept.
+    is_kept: bool,
+    position: DVec3,
+    kind: CollapseKind,
+    /// Squared distance that a relaxed collapse leaves.
+    distance_squared: f32,
+}
 
 /// Data about a position and its star.
 #[derive(Clone, Copy, Debug, Default)]
@@ -45,7 +55,8 @@ pub(super) struct Merger<'a> {
     seams: SeamRule,
     schedule: RelaxationSchedule<'a>,
     stars: Vec<StarData>,
-    choices: Vec<EdgeChoice>,
+    /// The choice of each position; `None` if its key is a lower bound.
+    choices: Vec<Option<EdgeChoice>>,
     heap: IndexedHeap,
     neighborhood: PositionStar,
     other_neighborhood: PositionStar,
@@ -79,7 +90,7 @@ impl<'a> Merger<'a> {
         let position = |p| space.scaled(mesh.positions[welded.positions.first_vertex(p) as usize]);
         let positions: Vec<DVec3> = (0..position_count as u32).map(position).collect();
         let options =
-            SequenceOptions { cost: CollapseCost::Memoryless, pair_distance: None, ..options.clone() };
+            SequenceOptions { cost: CostFunction::Memoryless, pair_distance: None, ..options.clone() };
         let mut evaluator = CostEvaluator::new(welded, &options);
         evaluator.lock_boundary();
         Self {
@@ -89,7 +100,7 @@ impl<'a> Merger<'a> {
             seams: options.seams,
             schedule: RelaxationSchedule::new(welded, options.topology),
             stars: vec![StarData::default(); position_count],
-            choices: vec![NO_CHOICE; position_count],
+            choices: vec![None; position_count],
             heap: IndexedHeap::new(&[]),
             positions,
             neighborhood: PositionStar::default(),
@@ -141,12 +152,14 @@ impl<'a> Merger<'a> {
         while self.triangle_count > base_triangle_count
             && let Some((key, v)) = self.next()
         {
-            if !self.has_valid_choice(v) {
+            let Some(choice) = self.choices[v as usize].filter(|choice| self.is_still_valid(v, choice))
+            else {
+                self.choices[v as usize] = None;
                 self.decide(v, key);
                 continue;
-            }
-            self.find_thirds(v);
-            self.collapse(v);
+            };
+            self.find_thirds(v, choice.other);
+            self.collapse(v, choice);
             self.collapse_third(key);
             let done = self.removed_count as u64;
             if done.is_multiple_of(4096) {
@@ -162,7 +175,7 @@ impl<'a> Merger<'a> {
         if self.heap.first().is_none() && self.schedule.is_postponed() {
             self.schedule.begin(&mut self.evaluator, (&self.removed, &self.targets));
             for v in 0..self.positions.len() as u32 {
-                self.choices[v as usize] = NO_CHOICE;
+                self.choices[v as usize] = None;
                 let bound = self.provisional_cost(v);
                 self.heap.set(v, bound);
             }
@@ -170,32 +183,23 @@ impl<'a> Merger<'a> {
         self.heap.first()
     }
 
-    /// Whether `v` has a choice that is still valid; otherwise clears its choice.
-    fn has_valid_choice(&mut self, v: u32) -> bool {
-        let choice = self.choices[v as usize];
-        if choice.other == UNDECIDED {
-            return false;
-        }
+    fn is_still_valid(&mut self, v: u32, choice: &EdgeChoice) -> bool {
         let is_fresh = self.stars[choice.other as usize].version == choice.other_version;
         let (removed, kept) = if choice.is_kept { (choice.other, v) } else { (v, choice.other) };
         // Changes in links outside the two stars may have changed what is allowed.
         let CostEvaluator { legality, links, .. } = &mut self.evaluator;
-        let is_valid = is_fresh
+        is_fresh
             && match choice.kind {
                 CollapseKind::Strict => legality.allows(links, removed, kept),
                 kind => self.evaluator.is_relaxed_choice_valid(removed, kept, kind, choice.distance_squared),
-            };
-        if !is_valid {
-            self.choices[v as usize] = NO_CHOICE;
-        }
-        is_valid
+            }
     }
 
     /// Recomputes the star of `v` after a change. That of a hub, which no edge may be collapsed to, waits.
     fn update_star(&mut self, v: u32) {
         if self.evaluator.is_hub(v) {
             self.stars[v as usize].version += 1;
-            self.choices[v as usize] = NO_CHOICE;
+            self.choices[v as usize] = None;
             return;
         }
         self.gather(v);
@@ -203,12 +207,12 @@ impl<'a> Merger<'a> {
         star.form = self.neighborhood.form();
         star.border_count = self.neighborhood.borders.len() as u32;
         star.version += 1;
-        self.choices[v as usize] = NO_CHOICE;
+        self.choices[v as usize] = None;
     }
 
-    /// Applies the choice of `v` and updates the positions around it.
-    fn collapse(&mut self, v: u32) {
-        let EdgeChoice { other, is_kept, position, kind, .. } = self.choices[v as usize];
+    /// Applies a choice of `v` and updates the positions around it.
+    fn collapse(&mut self, v: u32, choice: EdgeChoice) {
+        let EdgeChoice { other, is_kept, position, kind, .. } = choice;
         let (removed, kept) = if is_kept { (other, v) } else { (v, other) };
         self.removed_ring.clear();
         self.removed_ring.extend_from_slice(self.evaluator.links.entries(removed));
@@ -254,17 +258,16 @@ impl<'a> Merger<'a> {
         log.merges.push(LoggedMerge { removed, kept, moved, lost, continues: false });
     }
 
-    /// Finds the vertices that form a triangle with the edge that `v` is about to collapse.
-    fn find_thirds(&mut self, v: u32) {
+    /// Finds the vertices that form a triangle with the edge from `v` to `other`, which is about to collapse.
+    fn find_thirds(&mut self, v: u32, other: u32) {
         self.thirds.clear();
         if !self.has_triangle_collapses {
             return;
         }
-        let other = self.choices[v as usize].other;
         self.gather(v);
-        let PositionStar { ids, triangles, .. } = &self.neighborhood;
-        for t in triangles {
-            let [a, b] = [t.a, t.b].map(|i| ids[i as usize]);
+        let ring = &self.neighborhood.ring;
+        for t in 0..ring.triangle_count() {
+            let [a, b] = ring.triangle(t).map(|i| ring.ids[i]);
             self.thirds.extend((a == other).then_some(b).or((b == other).then_some(a)));
         }
     }
@@ -282,15 +285,14 @@ impl<'a> Merger<'a> {
         self.gather(kept);
         self.fill_costs(kept);
         let mut best: Option<(f32, EdgeChoice)> = None;
-        for i in 0..self.neighborhood.ids.len() {
-            if self.thirds.contains(&self.neighborhood.ids[i]) && self.costs[i] < f32::INFINITY {
+        for i in 0..self.neighborhood.ring.ids.len() {
+            if self.thirds.contains(&self.neighborhood.ring.ids[i]) && self.costs[i] < f32::INFINITY {
                 let least = best.map_or(limit, |(cost, _)| cost);
                 best = self.evaluate_edge(kept, i, least).filter(|found| found.0 < least).or(best);
             }
         }
         if let Some((_, choice)) = best {
-            self.choices[kept as usize] = choice;
-            self.collapse(kept);
+            self.collapse(kept, choice);
             if let Some(merge) = self.log.as_mut().and_then(|log| log.merges.last_mut()) {
                 merge.continues = true;
             }
@@ -334,5 +336,48 @@ impl<'a> Merger<'a> {
             self.heap.set(w, bound);
         }
         self.ring = ring;
+    }
+}
+
+/// One merge, in the numbering of the welded mesh.
+#[derive(Clone, Debug)]
+pub(super) struct LoggedMerge {
+    /// Position that is removed, and the one that it is merged with.
+    pub removed: u32,
+    pub kept: u32,
+    /// New place of the kept position, mesh units, and the first row with the attributes of its wedges;
+    /// `None` if it stays.
+    pub moved: Option<([f32; 3], u32)>,
+    /// Other positions that lose their last triangle.
+    pub lost: Vec<u32>,
+    /// Whether the merge belongs to the same step as the one before it.
+    pub continues: bool,
+}
+
+/// All merges, and the attributes of moved vertices.
+#[derive(Clone, Debug)]
+pub(super) struct MergeLog {
+    pub merges: Vec<LoggedMerge>,
+    /// Attributes: a row for each vertex of the welded mesh, then one for each wedge that moved, in order.
+    pub rows: Vec<AttributeLayer>,
+    pub row_count: u32,
+}
+
+impl MergeLog {
+    fn new(layers: &[AttributeLayer], vertex_count: usize) -> Self {
+        Self { merges: Vec::new(), rows: layers.to_vec(), row_count: vertex_count as u32 }
+    }
+
+    /// Adds the current attributes of some wedges as rows; returns the index of the first.
+    fn add_rows(&mut self, layers: &[AttributeLayer], wedges: std::ops::Range<u32>) -> u32 {
+        let first = self.row_count;
+        self.row_count += wedges.len() as u32;
+        for (rows, layer) in self.rows.iter_mut().zip(layers) {
+            let n = layer.component_count as usize;
+            let values = wedges.start as usize * n..wedges.end as usize * n;
+            let is_one_type = rows.data.extend_from_range(&layer.data, values);
+            debug_assert!(is_one_type, "rows were copied from the layers");
+        }
+        first
     }
 }

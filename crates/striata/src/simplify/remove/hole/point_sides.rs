@@ -4,7 +4,7 @@
 //! then over exactly one triangle of any triangulation, so sums over points are sums over triangles.
 
 use super::{Hole, RingTriangle};
-use crate::simplify::remove::tracked_vertices::TrackedVertex;
+use crate::simplify::collapse::costs::TrackedVertex;
 
 impl Hole {
     /// Computes on which side of each diagonal the points lie.

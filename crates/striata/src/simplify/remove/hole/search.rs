@@ -17,8 +17,8 @@
 //! Time O(n^3) for a ring of n; each triangle is evaluated once.
 
 use super::{Hole, HoleCost, RingTriangle, edges_squared, quality};
+use crate::simplify::collapse::costs::TrackedVertex;
 use crate::simplify::remove::removal_options::HoleCriterion;
-use crate::simplify::remove::tracked_vertices::TrackedVertex;
 
 impl HoleCost {
     const INFINITE: Self = Self { largest: f32::INFINITY, sum: f32::INFINITY };
