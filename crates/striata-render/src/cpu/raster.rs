@@ -175,7 +175,7 @@ impl Picture<'_> {
         let mut depths = DepthBand { nearest, numbers: &mut numbers, width, start: rows.start };
         let ScreenTriangles { points, large, whole, cut, .. } = &self.triangles;
         let corners_of = |index: u32| self.surface.triangles[index as usize].map(|v| points[v as usize]);
-        let mut tiles = Tiles::new(width, rows.len());
+        let mut tiles = DepthTiles::new(width, rows.len());
         for &index in large {
             let Some(triangle) = ScreenTriangle::new(&corners_of(index), rows, width) else { continue };
             for tile in tiles.of(&triangle, rows.start) {
@@ -281,14 +281,14 @@ fn mean(samples: impl Iterator<Item = [usize; 2]>, start: usize) -> [f64; 2] {
 }
 
 /// The tiles of a band.
-struct Tiles {
+struct DepthTiles {
     per_row: usize,
     width: usize,
     /// Inverse depth of the farthest sample of each tile, or less.
     farthest: Vec<f32>,
 }
 
-impl Tiles {
+impl DepthTiles {
     fn new(width: usize, rows: usize) -> Self {
         let per_row = width.div_ceil(TILE[0]);
         Self { per_row, width, farthest: vec![0.0; per_row * rows.div_ceil(TILE[1])] }

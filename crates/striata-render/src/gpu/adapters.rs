@@ -26,10 +26,20 @@ pub enum AdapterKind {
     /// All adapters.
     #[default]
     Any,
-    /// Those with a processor of their own.
+    /// Hardware.
     Gpu,
-    /// Those that draw on the CPU: llvmpipe, WARP, SwiftShader.
+    /// Drivers that draw on the CPU: llvmpipe, WARP, SwiftShader.
     Cpu,
+}
+
+impl AdapterKind {
+    fn words(self) -> &'static str {
+        match self {
+            Self::Any => "graphics adapter",
+            Self::Gpu => "GPU",
+            Self::Cpu => "CPU graphics adapter",
+        }
+    }
 }
 
 impl GpuOptions {
@@ -111,7 +121,7 @@ pub fn choose_adapter<T>(
     known.dedup();
     Err(match requested {
         Some(name) => GpuError::NoSuchAdapter { name, known },
-        None => GpuError::NoAdapter { kind: options.kind },
+        None => GpuError::NoAdapter { wanted: options.kind.words() },
     })
 }
 

@@ -4,21 +4,15 @@ use std::fmt;
 
 use striata::mesh::MeshError;
 
-use super::adapters::AdapterKind;
-
 /// Why something could not be drawn.
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum GpuError {
     /// No suitable adapter was found.
-    #[error("found no {}", match .kind {
-        AdapterKind::Any => "graphics adapter",
-        AdapterKind::Gpu => "GPU",
-        AdapterKind::Cpu => "CPU graphics adapter",
-    })]
+    #[error("found no {wanted}")]
     NoAdapter {
-        /// Kind of adapters that were considered.
-        kind: AdapterKind,
+        /// Kind of adapters that were considered, in words.
+        wanted: &'static str,
     },
     /// Adapters were found, but none of them can draw.
     #[error("no graphics adapter can draw: {}", joined(.rejected))]

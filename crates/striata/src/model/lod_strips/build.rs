@@ -21,8 +21,8 @@ use crate::strip::{StripSet, strip_triangles};
 /// more groups, which take room in each stage. Otherwise a limit that no strips can meet would be tried at every
 /// step.
 const RETRY_SHARE: f64 = 0.95;
-/// The same if new strips do not meet the limit either: those of a triangulated polygon never do, and all tries
-/// together would take twenty times as long as the first.
+/// This share applies if new strips do not meet the limit either: those of a triangulated polygon never do, and
+/// all tries together would take twenty times as long as the first.
 const MISSED_RETRY_SHARE: f64 = 0.7;
 /// Stages with fewer triangles are tried as often as if they met the limit: that costs little.
 const SMALL_STAGE: usize = 10_000;
