@@ -28,11 +28,11 @@ const NONE: u32 = u32::MAX;
 /// Number of bands that a picture is divided into at least, so that threads share the work evenly.
 const LEAST_BANDS: usize = 16;
 
-/// Columns and rows of the tiles whose farthest sample is known.
-const TILE: [usize; 2] = [64, 16];
+/// Columns and rows of the tiles whose farthest sample is known, and of larger tiles that consist of them.
+const TILES: [[usize; 2]; 2] = [[16, 8], [128, 64]];
 
 /// Triangles are large if their bounding boxes have this many samples or more.
-const LARGE: f32 = 4.0 * (TILE[0] * TILE[1]) as f32;
+const LARGE: f32 = 4096.0;
 
 /// Draws a shot, at most some rows at a time; uncovered pixels are transparent.
 pub(crate) fn draw(
@@ -175,15 +175,31 @@ impl Picture<'_> {
         let mut depths = DepthBand { nearest, numbers: &mut numbers, width, start: rows.start };
         let ScreenTriangles { points, large, whole, cut, .. } = &self.triangles;
         let corners_of = |index: u32| self.surface.triangles[index as usize].map(|v| points[v as usize]);
-        let mut tiles = DepthTiles::new(width, rows.len());
+        let [mut tiles, mut large_tiles] = TILES.map(|size| DepthTiles::new(size, width, rows));
         for &index in large {
             let Some(triangle) = ScreenTriangle::new(&corners_of(index), rows, width) else { continue };
-            for tile in tiles.of(&triangle, rows.start) {
-                let [across, down] = tiles.samples(tile, rows);
-                let is_hidden = triangle.nearest_in(&across, &down) < tiles.farthest[tile];
-                if !is_hidden && self.cover(&triangle, index, &mut depths, [&across, &down]) {
-                    let row = |y: usize| &depths.nearest[(y - rows.start) * width..][across.clone()];
-                    tiles.farthest[tile] = down.flat_map(row).copied().fold(f32::INFINITY, f32::min);
+            let planes = TrianglePlanes::new(&triangle);
+            let box_of_triangle = [triangle.columns.clone(), triangle.rows.clone()];
+            for outer in large_tiles.that_meet(&box_of_triangle) {
+                if large_tiles.hides(outer, &planes) {
+                    continue;
+                }
+                let [columns, of_rows] = large_tiles.samples(outer);
+                let inner = [common(&columns, &triangle.columns), common(&of_rows, &triangle.rows)];
+                let mut is_changed = false;
+                for tile in
+                    tiles.that_meet(&inner).filter(|&tile| !tiles.hides(tile, &planes)).collect::<Vec<_>>()
+                {
+                    let [columns, of_rows] = tiles.samples(tile);
+                    if self.cover(&triangle, index, &mut depths, [&columns, &of_rows]) {
+                        let row = |y: usize| &depths.nearest[(y - rows.start) * width..][columns.clone()];
+                        tiles.farthest[tile] = of_rows.flat_map(row).copied().fold(f32::INFINITY, f32::min);
+                        is_changed = true;
+                    }
+                }
+                if is_changed {
+                    let inside = tiles.that_meet(&[columns, of_rows]).map(|tile| tiles.farthest[tile]);
+                    large_tiles.farthest[outer] = inside.fold(f32::INFINITY, f32::min);
                 }
             }
         }
@@ -280,33 +296,103 @@ fn mean(samples: impl Iterator<Item = [usize; 2]>, start: usize) -> [f64; 2] {
     sum.map(|x| x / count)
 }
 
-/// The tiles of a band.
+/// Samples that both ranges have.
+fn common(a: &Range<usize>, b: &Range<usize>) -> Range<usize> {
+    a.start.max(b.start)..a.end.min(b.end)
+}
+
+/// Tiles of one size in a band.
 struct DepthTiles {
+    size: [usize; 2],
     per_row: usize,
     width: usize,
+    rows: Range<usize>,
     /// Inverse depth of the farthest sample of each tile, or less.
     farthest: Vec<f32>,
 }
 
 impl DepthTiles {
-    fn new(width: usize, rows: usize) -> Self {
-        let per_row = width.div_ceil(TILE[0]);
-        Self { per_row, width, farthest: vec![0.0; per_row * rows.div_ceil(TILE[1])] }
+    fn new(size: [usize; 2], width: usize, rows: &Range<usize>) -> Self {
+        let per_row = width.div_ceil(size[0]);
+        let farthest = vec![0.0; per_row * rows.len().div_ceil(size[1])];
+        Self { size, per_row, width, rows: rows.clone(), farthest }
     }
 
-    /// Returns the tiles that the bounding box of a triangle meets.
-    fn of(&self, triangle: &ScreenTriangle, start: usize) -> impl Iterator<Item = usize> + use<> {
-        let ScreenTriangle { columns, rows, .. } = triangle;
-        let across = columns.start / TILE[0]..columns.end.div_ceil(TILE[0]);
-        let down = (rows.start - start) / TILE[1]..(rows.end - start).div_ceil(TILE[1]);
+    /// Returns the tiles that some columns and rows meet.
+    fn that_meet(&self, [columns, rows]: &[Range<usize>; 2]) -> impl Iterator<Item = usize> + use<> {
+        let across = columns.start / self.size[0]..columns.end.div_ceil(self.size[0]);
+        let down = (rows.start - self.rows.start) / self.size[1]
+            ..(rows.end - self.rows.start).div_ceil(self.size[1]);
         let per_row = self.per_row;
         down.flat_map(move |row| across.clone().map(move |column| row * per_row + column))
     }
 
     /// Returns the columns and rows of a tile.
-    fn samples(&self, tile: usize, rows: &Range<usize>) -> [Range<usize>; 2] {
-        let [x, y] = [tile % self.per_row * TILE[0], rows.start + tile / self.per_row * TILE[1]];
-        [x..(x + TILE[0]).min(self.width), y..(y + TILE[1]).min(rows.end)]
+    fn samples(&self, tile: usize) -> [Range<usize>; 2] {
+        let x = tile % self.per_row * self.size[0];
+        let y = self.rows.start + tile / self.per_row * self.size[1];
+        [x..(x + self.size[0]).min(self.width), y..(y + self.size[1]).min(self.rows.end)]
+    }
+
+    /// Whether a triangle is certainly not visible in a tile, which it misses or in which every sample is nearer.
+    fn hides(&self, tile: usize, planes: &TrianglePlanes) -> bool {
+        let samples = self.samples(tile);
+        planes.misses(&samples) || self.farthest[tile] > planes.nearest_in(&samples)
+    }
+}
+
+/// Functions that are linear on the screen: a value at zero, and changes per column and row.
+type ScreenPlane = [f64; 3];
+
+/// Largest value of a function in some columns and rows.
+fn largest([origin, dx, dy]: &ScreenPlane, [columns, rows]: &[Range<usize>; 2]) -> f64 {
+    let x = if *dx > 0.0 { columns.end } else { columns.start } as f64;
+    let y = if *dy > 0.0 { rows.end } else { rows.start } as f64;
+    origin + dx * x + dy * y
+}
+
+/// Bounds of what a triangle covers.
+struct TrianglePlanes {
+    /// Functions of the sides, positive inside, and the limit of their errors in single precision.
+    sides: [ScreenPlane; 3],
+    side_error: f64,
+    inverse_depth: ScreenPlane,
+    /// Inverse depth of the nearest corner.
+    nearest: f64,
+    /// Limit of the errors of inverse depths in single precision, which are large in slivers.
+    depth_error: f64,
+}
+
+impl TrianglePlanes {
+    fn new(triangle: &ScreenTriangle) -> Self {
+        let [a, b, c] = triangle.corners.map(|p| [p.x, p.y, p.inverse_depth].map(f64::from));
+        let [ab, ac] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
+        let area = ab[0] * ac[1] - ab[1] * ac[0];
+        let (dx, dy) = ((ab[2] * ac[1] - ab[1] * ac[2]) / area, (ab[0] * ac[2] - ab[2] * ac[0]) / area);
+        let side = |p: [f64; 3], q: [f64; 3]| {
+            [p[0] * q[1] - p[1] * q[0], p[1] - q[1], q[0] - p[0]].map(|term| term * area.signum())
+        };
+        let nearest = f64::from(nearest_of(&triangle.corners));
+        let side_error = 16.0 * f64::from(f32::EPSILON) * f64::from(box_area(&triangle.corners));
+        Self {
+            sides: [side(b, c), side(c, a), side(a, b)],
+            side_error,
+            inverse_depth: [a[2] - dx * a[0] - dy * a[1], dx, dy],
+            nearest,
+            depth_error: nearest * (1e-6 + side_error / area.abs()),
+        }
+    }
+
+    /// Whether no sample of some columns and rows is inside.
+    fn misses(&self, samples: &[Range<usize>; 2]) -> bool {
+        self.sides.iter().any(|side| largest(side, samples) < -self.side_error)
+    }
+
+    /// Inverse depth that no sample of some columns and rows exceeds.
+    fn nearest_in(&self, samples: &[Range<usize>; 2]) -> f32 {
+        let bound = largest(&self.inverse_depth, samples);
+        // Slopes of slivers may be anything.
+        if bound.is_finite() { (bound.min(self.nearest) + self.depth_error) as f32 } else { f32::INFINITY }
     }
 }
 
@@ -382,22 +468,6 @@ impl ScreenTriangle {
         }
         // Casts of floats saturate.
         (first as usize).max(columns.start)..(end.ceil() as usize).min(columns.end)
-    }
-
-    /// Inverse depth that no sample of some columns and rows exceeds.
-    fn nearest_in(&self, columns: &Range<usize>, rows: &Range<usize>) -> f32 {
-        let [a, b, c] = self.corners.map(|p| [p.x, p.y, p.inverse_depth].map(f64::from));
-        let [ab, ac] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
-        let area = ab[0] * ac[1] - ab[1] * ac[0];
-        let slopes = [(ab[2] * ac[1] - ab[1] * ac[2]) / area, (ab[0] * ac[2] - ab[2] * ac[0]) / area];
-        let x = if slopes[0] > 0.0 { columns.end } else { columns.start } as f64;
-        let y = if slopes[1] > 0.0 { rows.end } else { rows.start } as f64;
-        let bound = a[2] + slopes[0] * (x - a[0]) + slopes[1] * (y - a[1]);
-        // Depths are sums of single precision, which are inexact in slivers.
-        let box_area = f64::from(box_area(&self.corners));
-        let nearest = f64::from(nearest_of(&self.corners));
-        let error = nearest * (1e-6 + 16.0 * f64::from(f32::EPSILON) * box_area / area.abs());
-        if bound.is_finite() { (bound.min(nearest) + error) as f32 } else { f32::INFINITY }
     }
 }
 
