@@ -187,9 +187,10 @@ impl Picture<'_> {
                 let [columns, of_rows] = large_tiles.samples(outer);
                 let inner = [common(&columns, &triangle.columns), common(&of_rows, &triangle.rows)];
                 let mut is_changed = false;
-                for tile in
-                    tiles.that_meet(&inner).filter(|&tile| !tiles.hides(tile, &planes)).collect::<Vec<_>>()
-                {
+                for tile in tiles.that_meet(&inner) {
+                    if tiles.hides(tile, &planes) {
+                        continue;
+                    }
                     let [columns, of_rows] = tiles.samples(tile);
                     if self.cover(&triangle, index, &mut depths, [&columns, &of_rows]) {
                         let row = |y: usize| &depths.nearest[(y - rows.start) * width..][columns.clone()];
