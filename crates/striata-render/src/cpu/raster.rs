@@ -406,6 +406,9 @@ struct ScreenTriangle {
     owns: [bool; 3],
     columns: Range<usize>,
     rows: Range<usize>,
+    /// Limits of the columns by row, see [`limits_of`].
+    left: [[f64; 2]; 3],
+    right: [[f64; 2]; 3],
 }
 
 impl ScreenTriangle {
@@ -423,7 +426,8 @@ impl ScreenTriangle {
             dy > 0.0 || (dy == 0.0 && dx > 0.0)
         });
         let columns = covered([a.x, b.x, c.x], &(0..width));
-        Some(Self { corners: *corners, area, owns, columns, rows })
+        let [left, right] = limits_of(corners, area);
+        Some(Self { corners: *corners, area, owns, columns, rows, left, right })
     }
 
     /// Calls `visit` with each sample of some columns and rows inside the triangle, as column and row, and its
@@ -448,28 +452,35 @@ impl ScreenTriangle {
 
     /// Columns in which samples of a row may be inside; all that are, rounding included.
     fn span(&self, py: f32, columns: &Range<usize>) -> Range<usize> {
-        let (mut first, mut end) = (columns.start as f64, columns.end as f64);
         let py = f64::from(py);
-        for (p, q) in sides(&self.corners) {
-            let [px, qx] = [p.x, q.x].map(f64::from);
-            let [to_p, to_q] = [p.y, q.y].map(|y| f64::from(y) - py);
-            // The weight of the side falls by this much from column to column.
-            let slope = (to_q - to_p) * f64::from(self.area.signum());
-            if slope == 0.0 {
-                continue;
-            }
-            let zero = (px * to_q - qx * to_p) / (to_q - to_p);
-            let size = (px.abs() + qx.abs() + end) * (to_p.abs() + to_q.abs());
-            let margin = 1.5 + size * f64::from(f32::EPSILON) * 4.0 / slope.abs();
-            if slope > 0.0 {
-                end = end.min(zero + margin);
-            } else {
-                first = first.max(zero - margin);
-            }
-        }
+        let at = |[origin, slope]: &[f64; 2]| origin + slope * py;
+        let first = self.left.iter().map(at).fold(columns.start as f64, f64::max);
+        let end = self.right.iter().map(at).fold(columns.end as f64, f64::min);
         // Casts of floats saturate.
-        (first as usize).max(columns.start)..(end.ceil() as usize).min(columns.end)
+        first as usize..end.ceil() as usize
     }
+}
+
+/// Columns that each side of a triangle allows, as limits at row zero and changes per row: from the first ones, to the
+/// last ones. They include all samples that are inside by the rounded functions of the sides.
+fn limits_of(corners: &Corners, area: f32) -> [[[f64; 2]; 3]; 2] {
+    let (mut left, mut right) = ([[f64::NEG_INFINITY, 0.0]; 3], [[f64::INFINITY, 0.0]; 3]);
+    let error = 8.0 * f64::from(f32::EPSILON) * f64::from(box_area(corners));
+    for (k, (p, q)) in sides(corners).into_iter().enumerate() {
+        let rows = f64::from(q.y) - f64::from(p.y);
+        if rows == 0.0 {
+            continue;
+        }
+        let slope = (f64::from(q.x) - f64::from(p.x)) / rows;
+        let (origin, margin) = (f64::from(p.x) - slope * f64::from(p.y), 1.5 + error / rows.abs());
+        // The function of the side falls with the column on one side of the triangle.
+        if rows * f64::from(area) > 0.0 {
+            right[k] = [origin + margin, slope];
+        } else {
+            left[k] = [origin - margin, slope];
+        }
+    }
+    [left, right]
 }
 
 /// The sides of a triangle, each opposite to the corner of its number.
