@@ -29,7 +29,7 @@ pub struct PictureRenderer {
 }
 
 impl PictureRenderer {
-    /// Uses the best working GPU, or else the rasterizer; if GPUs do not work, the reason is reported to `output`.
+    /// Uses the best working GPU, or else the rasterizer; the reason is reported to `output`.
     #[cfg(feature = "gpu")]
     pub fn best(output: &Output) -> Self {
         match open(&GpuOptions { kind: AdapterKind::Gpu, ..GpuOptions::default() }, output) {
@@ -37,7 +37,6 @@ impl PictureRenderer {
                 note_rejected(&rejected, &renderer.gpu().name(), output);
                 Self { gpu: Some(Box::new(renderer)), output: *output }
             }
-            Err(GpuError::NoAdapter { .. }) => Self::software(output),
             Err(error) => {
                 output.say(&format!("note: {error}; using {RASTERIZER} instead"));
                 Self::software(output)

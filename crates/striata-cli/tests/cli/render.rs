@@ -224,16 +224,23 @@ fn wrong_flags_and_files_are_refused() {
 }
 
 #[test]
-fn without_a_driver_the_software_rasterizer_draws_the_same() {
+fn without_a_driver_the_software_rasterizer_draws_the_same_with_a_note() {
     let bench = Workbench::with_ball();
     let arguments = "render ball.striata --levels 100%,10% --size 300x160 --json";
     let (expected, _) = picture(&bench, &arguments.replace("render ", "").replace(" --json", " --software"));
     let assert = bench.command(&format!("{arguments} -o bare.png")).envs(NO_DRIVERS).assert().success();
     let message = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
-    assert_eq!(message, "");
+    assert!(
+        message.starts_with("note: ") && message.contains("using the software rasterizer instead"),
+        "{message}"
+    );
+    assert_eq!(message.lines().count(), 1, "{message}");
     let report: Value = serde_json::from_slice(&assert.get_output().stdout).expect("JSON");
     assert_eq!(report["adapter"], "the software rasterizer");
     assert_eq!(DecodedPng::of(&bench.read("bare.png")).differing(&expected), 0);
+    let assert =
+        bench.command(&format!("{arguments} --quiet -o bare.png")).envs(NO_DRIVERS).assert().success();
+    assert!(assert.get_output().stderr.is_empty());
 }
 
 #[test]
