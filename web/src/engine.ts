@@ -359,6 +359,7 @@ export class Engine {
       stepCount: model.step_count,
       streamBytes: model.stream_bytes,
       bounds: model.bounds(),
+      isZUp: model.is_z_up,
       diagonal: model.diagonal,
       shownSplitCount: model.shown_split_count,
       shownError: model.shown_error,

@@ -180,6 +180,10 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
     return this.state.stepCount;
   }
 
+  get isZUp(): boolean {
+    return this.state.isZUp;
+  }
+
   get complete(): boolean {
     return this.state.complete;
   }

@@ -54,6 +54,8 @@ export interface State {
   receivedBytes?: number;
   /** Minimum and maximum coordinates; empty before any vertices have loaded. */
   bounds: Float32Array;
+  /** Whether z is up. */
+  isZUp: boolean;
   diagonal: number;
   shownSplitCount: number;
   shownError: number;

@@ -185,6 +185,8 @@ export interface StriataSceneLike extends Group<StriataEvents> {
   /** Diagonal of the bounding box, units of the scene. */
   readonly diagonal: number;
   readonly kind: Kind;
+  /** Whether the z axis points up: the mesh is a terrain with a georeference, or as flat along z as one. */
+  readonly isZUp: boolean;
   readonly timings: Readonly<Timings>;
   /** Resolves when everything has arrived. Rejects with a `StriataError` if the rest could not be loaded. */
   readonly finished: Promise<void>;

@@ -1,10 +1,10 @@
 // Tests of links: the address follows the view, and a page that opens it shows the same.
 
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { drop } from './files.mjs';
-import { settled, shot, slide, state, untilWhole } from './harness.mjs';
+import { run, settled, shot, slide, state, untilWhole } from './harness.mjs';
 import { eyeOf } from './phone.mjs';
 import { openModel, pageTest } from './pages.mjs';
 
@@ -58,6 +58,45 @@ export default function sharing(world) {
     assert.deepEqual(shown, { coloring: 'strips', wireframe: true, flat: true, zUp: true, vertexColors: true, backs: 'tint', background: 'black', exposure: 2 });
     assert.ok(length < 10, `the view adds no entries to the history: ${length}`);
     await shot(page, 'shared');
+  });
+
+  pageTest(world, 'terrains lie flat by themselves, until the user or a link decides', {}, async (page) => {
+    const heights = [0, 9, 0, 5, 20, 0, 0, 0, 3];
+    const rows = heights.map((height, at) => `${at % 3} ${Math.floor(at / 3)} ${height}`);
+    const faces = [0, 1, 3, 4].flatMap((at) => [`3 ${at} ${at + 1} ${at + 3}`, `3 ${at + 1} ${at + 4} ${at + 3}`]);
+    const head = ['ply', 'format ascii 1.0', 'comment georeference {"epsg":32632}', 'element vertex 9', 'property float x', 'property float y', 'property float z'];
+    writeFileSync(join(world.folder, 'hills.ply'), [...head, 'element face 8', 'property list uchar int vertex_indices', 'end_header', ...rows, ...faces, ''].join('\n'));
+    run('encode', '-q', join(world.folder, 'hills.ply'), '-o', join(world.folder, 'hills.stri'));
+    run('build', '-q', join(world.folder, 'hills.ply'), '--paged', '-o', join(world.folder, 'hills.striata'));
+    run('convert', '-q', join(world.folder, 'hills.ply'), join(world.folder, 'hills.glb'));
+    const up = () => page.evaluate(() => [window.striataViewer.look.zUp, document.getElementById('z-up').checked, window.striataViewer.stage.pivot.rotation.x < 0]);
+    const open = async (name) => {
+      await page.goto(`${world.url}?model=models/${name}`);
+      await untilWhole(page);
+      return up();
+    };
+    assert.deepEqual(await open('hills.stri'), [true, true, true], 'a stream with a georeference');
+    assert.deepEqual(await open('hills.striata'), [true, true, true], 'a paged file with one');
+    assert.deepEqual(await open('sub/terrain.stri'), [true, true, true], 'a mesh as flat along z as a terrain');
+    assert.deepEqual(await open('nefertiti.stri'), [false, false, false]);
+    assert.deepEqual(await open('hills.glb'), [false, false, false], 'glTF is y up');
+    const height = await page.evaluate(() => {
+      window.striataViewer.model.updateMatrixWorld(true);
+      const heights = [];
+      window.striataViewer.model.traverse((mesh) => {
+        const places = mesh.geometry?.getAttribute('position');
+        for (let at = 0; at < (places?.count ?? 0); at += 1) heights.push(mesh.position.clone().fromBufferAttribute(places, at).applyMatrix4(mesh.matrixWorld).y);
+      });
+      return Math.max(...heights) - Math.min(...heights);
+    });
+    assert.ok(Math.abs(height - 20) < 0.1, `the heights are along y: ${height}`);
+    await open('hills.stri');
+    await page.locator('#view').focus();
+    await page.keyboard.press('z');
+    await untilAddress(page, /z-up=0/);
+    await page.reload();
+    await untilWhole(page);
+    assert.deepEqual(await up(), [false, false, false], 'the link decides');
   });
 
   pageTest(world, 'the first picture is the one of the link', {}, async (page) => {

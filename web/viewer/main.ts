@@ -46,6 +46,7 @@ class Page {
     this.#sharing = new Sharing(this.#viewer, this.#panel);
     window.striataViewer = this.#viewer;
     this.#viewer.onView = ({ look }) => this.#panel.restoreLook(look);
+    this.#viewer.onUp = (isZUp) => this.#panel.setZUp(isZUp);
     this.#viewer.onShown = () => {
       this.#panel.onModelShown();
       this.#sharing.refresh();

@@ -111,7 +111,7 @@ export class Panel {
   lookState(): LookState {
     const { coloring, wireframe, flat, zUp, vertexColors, backs } = this.#viewer.look;
     return {
-      coloring, wireframe, flat, zUp, vertexColors, backs, turns: input('turn').checked,
+      coloring, wireframe, flat, zUp: zUp === this.#viewer.model?.isZUp ? null : zUp, vertexColors, backs, turns: input('turn').checked,
       background: element<HTMLSelectElement>('background').value, light: input('light').valueAsNumber, exposure: input('exposure').valueAsNumber,
     };
   }
@@ -119,17 +119,22 @@ export class Panel {
   /** Sets everything that belongs to a view. */
   restoreLook(look: LookState): void {
     for (const radio of this.#colorings()) radio.checked = radio.value === look.coloring;
-    const boxes = { wireframe: look.wireframe, flat: look.flat, 'vertex-colors': look.vertexColors, 'z-up': look.zUp, turn: look.turns };
+    const boxes = { wireframe: look.wireframe, flat: look.flat, 'vertex-colors': look.vertexColors, turn: look.turns };
     for (const [id, isOn] of Object.entries(boxes)) input(id).checked = isOn;
     element<HTMLSelectElement>('backs').value = look.backs;
     element<HTMLSelectElement>('background').value = look.background;
     input('light').valueAsNumber = look.light;
     input('exposure').valueAsNumber = look.exposure;
     this.#onLookChanged();
-    this.#viewer.setZUp(look.zUp);
     this.#onAutoRotateChanged();
     this.paintBackground();
     this.#onLightChanged();
+  }
+
+  /** Tilts the model if z is up. */
+  setZUp(zUp: boolean): void {
+    input('z-up').checked = zUp;
+    this.#viewer.setZUp(zUp);
   }
 
   /** Updates the panel for the model that is shown. */

@@ -29,7 +29,8 @@ export interface LookState {
   coloring: Coloring;
   wireframe: boolean;
   flat: boolean;
-  zUp: boolean;
+  /** Null if the model decides. */
+  zUp: boolean | null;
   turns: boolean;
   vertexColors: boolean;
   backs: Backs;
@@ -82,7 +83,7 @@ export function readView(query: string): ViewState | null {
     model: choice('as', MODELS) ?? null,
     look: {
       coloring: COLORINGS[given.get('color') ?? ''] ?? 'surface',
-      wireframe: flag('wireframe'), flat: flag('flat'), zUp: flag('z-up'), turns: flag('turn'),
+      wireframe: flag('wireframe'), flat: flag('flat'), zUp: given.has('z-up') ? flag('z-up') : null, turns: flag('turn'),
       vertexColors: given.get('vertex-colors') !== '0',
       backs: choice('backs', BACKS) ?? 'file',
       background: choice('background', BACKGROUNDS) ?? 'page',
@@ -115,7 +116,7 @@ export function writeView({ camera, level, playback, model, look }: ViewState): 
   add('background', look.background !== 'page' && look.background);
   add('light', look.light !== 0 && rounded(look.light));
   add('exposure', look.exposure !== 0 && rounded(look.exposure));
-  add('z-up', look.zUp && 1);
+  add('z-up', look.zUp !== null && Number(look.zUp));
   add('turn', look.turns && 1);
   if (playback) {
     add('clip', playback.clip > 0 && playback.clip + 1);

@@ -61,6 +61,8 @@ export class Viewer {
   model: StriataScene | null = null;
   /** Called with the view that a model is to be shown in, before it appears. */
   onView: (view: ViewState) => void = () => {};
+  /** Called with whether z is up, before a model appears. */
+  onUp: (isZUp: boolean) => void = () => {};
   /** Called when a model has appeared on the stage. */
   onShown: () => void = () => {};
   /** Called when no model could be opened and the stage is empty. */
@@ -247,6 +249,7 @@ export class Viewer {
   #show(model: StriataScene, source: ModelSource, keepsCamera: boolean): void {
     this.#isOpening = false;
     this.#isIncomplete = false;
+    const wasTurned = this.model?.isZUp === true;
     this.#remove();
     const view = keepsCamera ? null : (source.view ?? null);
     if (view) this.onView(view);
@@ -256,6 +259,8 @@ export class Viewer {
     this.#source = source;
     this.stage.lighting.use('lamps');
     this.stage.pivot.add(model);
+    // A choice of the user stays, one that a model made does not.
+    if (!keepsCamera) this.onUp(view ? (view.look.zUp ?? model.isZUp) : model.isZUp || (this.look.zUp && !wasTurned));
     this.framing.restart(keepsCamera, view?.camera);
     this.#listen(model, source);
     this.applyLook();

@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use striata::mesh::IndexedMesh;
+use striata_io::Scene;
 use striata_io::pieces::{Piece, PieceOptions, PieceSource, Terrain, open_all, open_pieces};
 use tempfile::TempDir;
 use tiff::encoder::{TiffEncoder, colortype};
@@ -302,6 +304,42 @@ fn rasters_far_apart_are_refused() {
     write_tiff(&paths[1], 2, 2, [1e15, 1e15], &[1; 4]);
     let text = message(open_all(&paths, &PieceOptions::default()));
     assert!(text.contains("too far from the other rasters"), "{text}");
+}
+
+/// glTF is y up and maps are z up, so nodes turn a terrain, and readers of whole files and of pieces turn it back.
+#[test]
+fn terrains_are_y_up_in_gltf_and_z_up_elsewhere() {
+    let folder = TempDir::new().unwrap();
+    let raster = folder.path().join("dem.tif");
+    write_tiff(&raster, 4, 3, [500_000.0, 5_600_000.0], &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 99]);
+    let mesh = IndexedMesh { origin: [1000.0, 2000.0, 3.0], ..striata_io::read(&raster).unwrap() };
+    let places = |mesh: &IndexedMesh| {
+        let place = |p: &[f32; 3]| [0, 1, 2].map(|axis| f64::from(p[axis]) + mesh.origin[axis]);
+        let mut places: Vec<_> = mesh.positions.iter().map(place).collect();
+        places.sort_by(|a, b| a.partial_cmp(b).unwrap());
+        places
+    };
+    let path = folder.path().join("dem.glb");
+    for is_scene in [false, true] {
+        if is_scene {
+            let scene = Scene::from_mesh(mesh.clone()).unwrap();
+            striata_io::write_scene(&path, &scene, &Default::default()).unwrap();
+        } else {
+            striata_io::write(&path, &mesh, &Default::default()).unwrap();
+        }
+        let scene = striata_io::read_scene(&path).unwrap();
+        let georeferences = scene.meshes().iter().flatten().map(|mesh| &mesh.appearance.georeference);
+        assert_eq!(georeferences.collect::<Vec<_>>(), [&mesh.appearance.georeference]);
+        let shown = scene.bounds().unwrap();
+        assert_eq!([shown.min[1], shown.max[1]], [3.0, 102.0]);
+        assert_eq!([shown.min[2], shown.max[2]], [-2020.0, -2000.0]);
+        assert_eq!(places(&striata_io::read(&path).unwrap()), places(&mesh));
+        let pieces = open_pieces(&path, &PieceOptions::default()).unwrap();
+        let piece = pieces.read_piece(0).unwrap();
+        let origin = pieces.summary().origin;
+        let read = IndexedMesh { positions: piece.positions, origin, ..IndexedMesh::default() };
+        assert_eq!(places(&read), places(&mesh));
+    }
 }
 
 /// The place of a raster stays with its mesh in all formats that can say it.

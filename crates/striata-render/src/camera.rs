@@ -36,9 +36,7 @@ impl ViewAngles {
     /// Default angles: from the front, slightly from the left and above. Terrains, and meshes that are as flat
     /// along z, have z up and are seen from higher.
     pub fn usual(bounds: Option<&Bounds>, is_terrain: bool) -> Self {
-        const FLAT: f32 = 0.3;
-        let size = bounds.map_or([1.0; 3], |bounds| [0, 1, 2].map(|k| bounds.max[k] - bounds.min[k]));
-        let lies_flat = size[2] < FLAT * size[0].min(size[1]);
+        let lies_flat = bounds.is_some_and(Bounds::lies_flat);
         let (up, rise): (_, f32) =
             if lies_flat || is_terrain { ([0.0, 0.0, 1.0], 40.0) } else { ([0.0, 1.0, 0.0], 8.0) };
         Self { turn: (-35.0f32).to_radians(), rise: rise.to_radians(), up, fov: 27.0f32.to_radians() }

@@ -8,8 +8,6 @@ const BACKGROUND: Rgba = [0.012, 0.013, 0.017, 1.0];
 const FAINT: [u8; 4] = [13, 13, 15, 255];
 /// Vertical field of view, radians.
 const FOV: f32 = 0.45;
-/// A mesh flatter than this along z, relative to its other sides, is a terrain with z up.
-const MAX_TERRAIN_HEIGHT: f32 = 0.3;
 
 /// Draws a mesh from the front, slightly from the left and above, with its materials if it has some.
 pub fn portrait(mesh: IndexedMesh, look: Option<&SceneLook>, size: [usize; 2]) -> Canvas {
@@ -60,7 +58,7 @@ fn camera(mesh: &IndexedMesh, may_lie: bool, aspect: f32) -> Option<Camera> {
     if !longest.is_finite() || longest <= 0.0 {
         return None;
     }
-    let lies_flat = may_lie && size[2] < MAX_TERRAIN_HEIGHT * size[0].min(size[1]);
+    let lies_flat = may_lie && bounds.lies_flat();
     let is_terrain = !mesh.appearance.georeference.is_empty();
     let (rise, up) = if lies_flat || is_terrain { (0.75, [0.0, 0.0, 1.0]) } else { (0.22, [0.0, 1.0, 0.0]) };
     Some(Camera::around(&mesh.positions, &ViewAngles { turn: -0.5, rise, up, fov: FOV }, aspect))

@@ -100,6 +100,10 @@ impl Leveled for FanModel {
         self.mesh.bounds()
     }
 
+    fn is_georeferenced(&self) -> bool {
+        !self.mesh.appearance.georeference.is_empty()
+    }
+
     fn smooth_normals(&self) -> Vec<[f32; 3]> {
         let first_vertices = self.levels.positions().first_vertices();
         normals::of_vertices(&self.mesh.positions, &self.mesh.triangles, first_vertices)

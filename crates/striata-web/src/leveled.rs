@@ -59,6 +59,11 @@ pub(crate) trait Leveled {
     /// Bounds of the available vertices.
     fn bounds(&self) -> Option<Bounds>;
 
+    /// Whether the mesh is a terrain whose place on the Earth is known.
+    fn is_georeferenced(&self) -> bool {
+        false
+    }
+
     /// Vertices from index `first` on.
     fn vertices(&self, first: usize) -> Vertices;
 

@@ -169,6 +169,12 @@ impl Model {
         self.levels.bounds().map_or(Vec::new(), |bounds| [bounds.min, bounds.max].as_flattened().to_vec())
     }
 
+    /// Whether z is up: the mesh is a terrain with a georeference, or as flat along z as one.
+    #[wasm_bindgen(getter)]
+    pub fn is_z_up(&self) -> bool {
+        self.levels.is_georeferenced() || self.levels.bounds().is_some_and(|bounds| bounds.lies_flat())
+    }
+
     /// Diagonal of these bounds, mesh units.
     #[wasm_bindgen(getter)]
     pub fn diagonal(&self) -> f64 {

@@ -165,6 +165,14 @@ impl PagedModel {
         self.full_bounds().map_or(Vec::new(), |bounds| [bounds.min, bounds.max].as_flattened().to_vec())
     }
 
+    /// Whether z is up: the mesh is a terrain with a georeference, or as flat along z as one.
+    #[wasm_bindgen(getter)]
+    pub fn is_z_up(&self) -> bool {
+        let is_georeferenced = |file: &PagedFile| file.metadata().georeference.is_some();
+        self.file.as_ref().is_some_and(is_georeferenced)
+            || self.full_bounds().is_some_and(|bounds| bounds.lies_flat())
+    }
+
     /// Diagonal of these bounds, mesh units.
     #[wasm_bindgen(getter)]
     pub fn diagonal(&self) -> f64 {

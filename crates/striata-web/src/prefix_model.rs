@@ -35,6 +35,7 @@ pub(crate) struct PrefixModel {
     groups: Vec<u32>,
     group_count: usize,
     color_space: ColorSpace,
+    is_georeferenced: bool,
     /// Sizes of the whole mesh, if later levels are missing.
     whole: Option<Counts>,
     /// Made for the first view.
@@ -105,6 +106,7 @@ impl PrefixModel {
     ) -> Self {
         let group_count = mesh.groups_or_whole().len();
         let color_space = mesh.appearance.color_space;
+        let is_georeferenced = !mesh.appearance.georeference.is_empty();
         let IndexedMesh { positions, layers, .. } = mesh;
         Self {
             positions,
@@ -117,6 +119,7 @@ impl PrefixModel {
             added_counts,
             group_count,
             color_space,
+            is_georeferenced,
             ..Self::default()
         }
     }
@@ -194,6 +197,10 @@ impl Leveled for PrefixModel {
 
     fn bounds(&self) -> Option<Bounds> {
         Bounds::of(&self.positions)
+    }
+
+    fn is_georeferenced(&self) -> bool {
+        self.is_georeferenced
     }
 
     fn vertices(&self, first: usize) -> Vertices {

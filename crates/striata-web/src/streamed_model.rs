@@ -181,6 +181,10 @@ impl Leveled for StreamedModel {
         self.bounds
     }
 
+    fn is_georeferenced(&self) -> bool {
+        self.source.read(|decoder| !decoder.georeference().is_empty())
+    }
+
     fn vertices(&self, first: usize) -> Vertices {
         let count = self.vertex_count();
         let first = first.min(count);

@@ -259,6 +259,7 @@ export class PagedEngine {
       streamBytes: 0,
       receivedBytes: this.#received,
       bounds: model.bounds(),
+      isZUp: model.is_z_up,
       diagonal: model.diagonal,
       shownSplitCount: model.shown_split_count,
       shownError: model.shown_error,

@@ -34,6 +34,7 @@ class MeshScene extends StriataScene {
   }
 
   override get isSolid(): boolean { return this.#mesh.isSolid; }
+  override get isZUp(): boolean { return this.#mesh.isZUp; }
   override get detail(): number { return this.#mesh.detail; }
   override set detail(detail: number) { this.#mesh.detail = detail; }
   override get triangleBudget(): number | null { return this.#mesh.triangleBudget; }

@@ -96,6 +96,11 @@ export class StriataScene extends Group<StriataEvents> implements StriataSceneLi
     return this.#isSolid;
   }
 
+  /** Whether the z axis points up: the model is a mesh with a georeference, or as flat along z as a terrain. Other scenes are y up, as three.js has it. */
+  get isZUp(): boolean {
+    return false;
+  }
+
   get detail(): number {
     if (this.#mode.detail !== null) return this.#mode.detail;
     const [shown, all] = this.#sum((last) => last.splitCount, (last) => last.stepCount);

@@ -6,10 +6,10 @@ use serde_json::Value;
 use striata::mesh::{Appearance, Image, Material};
 
 use super::document::GltfDocument;
+use super::georeference::georeference_in;
 use super::json::JsonNode;
 use super::primitive::document_fault;
 use super::uri;
-use super::write::georeference_in;
 use crate::companions::{Companions, NameKind};
 use crate::error::{Fault, Place};
 use crate::gltf_json::extensions_in;

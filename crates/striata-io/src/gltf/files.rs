@@ -54,7 +54,7 @@ impl<'f, 'm> GltfContainer<'f, 'm> {
             return container::joined(parts.to_json().into_bytes(), parts.binary)
                 .ok_or_else(|| Refusal::Unsupported("the file would be larger than 4 GiB".to_owned()));
         }
-        parts.parse_written();
+        parts.parse_written()?;
         if let Some(buffer) = parts.root.pointer_mut("/buffers/0") {
             buffer["uri"] = json!(self.buffer_uri(parts.binary));
         }

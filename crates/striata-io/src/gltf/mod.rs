@@ -36,6 +36,7 @@ mod extensions;
 mod far_origin;
 mod files;
 mod gather;
+mod georeference;
 mod gpu_instancing;
 mod importance;
 mod json;
@@ -96,6 +97,7 @@ pub(crate) mod parts {
 pub(crate) use extensions::are_all_known;
 pub use extensions::{ExtensionUse, extension_use, known_extensions};
 pub(crate) use files::GltfContainer;
+pub(crate) use georeference::{add_georeference, georeference_in, place_node};
 pub(crate) use importance::usable as usable_importance;
 pub(crate) use references::{entries, has_triangles, is_blended};
 pub(crate) use semantics::target_of;
@@ -103,7 +105,7 @@ pub use shading::shaded;
 pub(crate) use shown_meshes::shown_meshes;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub(crate) use vertex_pieces::VertexPieces;
-pub(crate) use write::{GEOREFERENCE, georeference_in, image_entry, insert, looks, to_bytes};
+pub(crate) use write::{image_entry, insert, looks, to_bytes};
 pub(crate) use write_layers::{attribute_name, is_unstorable};
 pub(crate) use write_scene::scene_to_bytes;
 

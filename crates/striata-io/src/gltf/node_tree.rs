@@ -3,6 +3,7 @@
 use glam::{DMat4, DVec3};
 
 use super::document::GltfDocument;
+use super::georeference::turn_of_terrain;
 use super::gpu_instancing::{GpuInstances, unit};
 use super::importance;
 use super::json::JsonNode;
@@ -40,7 +41,10 @@ pub(crate) fn visit_instances<'a>(
         return Ok(());
     }
     let mut gpu_instances = GpuInstances::new(bytes_per_instance);
-    let nodes = placed_nodes(root)?;
+    let mut nodes = placed_nodes(root)?;
+    if let Some(turn) = turn_of_terrain(root.value) {
+        nodes.iter_mut().for_each(|node| node.matrix = turn * node.matrix);
+    }
     let mut poses = RestPoses::new(nodes.iter().map(|node| (node.index, node.matrix)).collect());
     for PlacedNode { node, matrix, .. } in nodes {
         if let Some(from) = node.get("mesh") {

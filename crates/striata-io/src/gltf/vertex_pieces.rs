@@ -6,10 +6,11 @@
 use std::io::{self, Write};
 
 use serde_json::{Map, Value, json};
-use striata::mesh::IndexedMesh;
+use striata::mesh::{Appearance, IndexedMesh};
 
 use super::builder::{ELEMENT_ARRAY_BUFFER, GltfBuilder, TRIANGLE_STRIP};
 use super::component_type::GltfComponentType;
+use super::georeference::{add_georeference, place_node};
 use super::write_layers::attributes;
 use crate::error::Refusal;
 
@@ -22,6 +23,7 @@ pub(crate) struct VertexPieces {
     accessors: Vec<Value>,
     vertex_count: u64,
     origin: [f64; 3],
+    appearance: Appearance,
 }
 
 impl VertexPieces {
@@ -32,7 +34,7 @@ impl VertexPieces {
         if self.vertex_count == 0 {
             (self.attributes, self.targets) = (found.attributes, found.targets);
             (self.views, self.accessors) = (builder.views, builder.accessors);
-            self.origin = piece.origin;
+            (self.origin, self.appearance) = (piece.origin, piece.appearance.clone());
         } else {
             let is_alike = self.attributes == found.attributes && self.targets == found.targets;
             if !is_alike || self.accessors.len() != builder.accessors.len() {
@@ -126,9 +128,8 @@ impl VertexPieces {
         }
         root["scenes"] = json!([{ "nodes": [0] }]);
         root["nodes"] = json!([{ "mesh": 0 }]);
-        if self.origin != [0.0; 3] {
-            root["nodes"][0]["translation"] = json!(self.origin);
-        }
+        place_node(&mut root["nodes"][0], self.origin, &self.appearance);
+        add_georeference(&mut root["scenes"][0], &self.appearance);
         root["meshes"] = json!([{ "primitives": [primitive] }]);
         root["accessors"] = json!(accessors);
         root["bufferViews"] = json!(views);

@@ -11,6 +11,7 @@ use striata::mesh::{Appearance, Image, IndexedMesh, TriangleGroup};
 use super::builder::{GltfBuilder, TRIANGLE_STRIP};
 use super::component_type::GltfComponentType;
 use super::files::GltfContainer;
+use super::georeference::{add_georeference, place_node};
 use super::passes::{GltfParts, WrittenArray};
 use super::shading::shaded;
 use super::write_layers::{SharedAttributes, attributes};
@@ -21,15 +22,6 @@ use crate::gltf_json::extensions_in;
 
 const TRIANGLES: u32 = 4;
 const TRIANGLE_FAN: u32 = 6;
-/// Name of the place of a terrain among the extras of a scene.
-pub(crate) const GEOREFERENCE: &str = "georeference";
-
-/// Returns the place of a terrain on the Earth that the default scene of a document has.
-pub(crate) fn georeference_in(document: &Value) -> Option<&Value> {
-    let scene = document.get("scene").and_then(Value::as_u64).unwrap_or(0);
-    let scene = document.get("scenes")?.get(usize::try_from(scene).ok()?)?;
-    scene.get("extras")?.get(GEOREFERENCE).filter(|place| place.is_object())
-}
 
 /// Encodes a mesh as a glTF file, quantized and compressed as the options say.
 pub(crate) fn to_bytes(
@@ -59,9 +51,7 @@ fn document(
     let (meshes, nodes) = builder.meshes(mesh, options)?;
     let roots: Vec<usize> = (0..nodes.len).collect();
     let mut scene = if roots.is_empty() { json!({}) } else { json!({ "nodes": roots }) };
-    if let Ok(georeference) = serde_json::from_str::<Value>(&mesh.appearance.georeference) {
-        scene["extras"] = json!({ GEOREFERENCE: georeference });
-    }
+    add_georeference(&mut scene, &mesh.appearance);
     insert(&mut root, "scenes", vec![scene]);
     let extensions = builder.looks(mesh, &mut root)?;
     insert(&mut root, "extensionsUsed", extensions.into_iter().map(Value::String).collect());
@@ -108,9 +98,7 @@ impl GltfBuilder {
                 .collect();
             let name = &alike[0].0.name;
             let mut node = json!({ "mesh": meshes.len });
-            if mesh.origin != [0.0; 3] {
-                node["translation"] = json!(mesh.origin);
-            }
+            place_node(&mut node, mesh.origin, &mesh.appearance);
             let mut entry = json!({ "primitives": primitives });
             if !name.is_empty() {
                 node["name"] = json!(name);

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
-use striata::mesh::{Appearance, IndexedMesh, Material, TriangleGroup};
+use striata::mesh::{IndexedMesh, Material, TriangleGroup};
 
 use super::{Scene, SceneError, SceneParts};
-use crate::gltf::{GEOREFERENCE, attribute_name, image_entry, insert, looks, target_of};
+use crate::gltf::{add_georeference, attribute_name, image_entry, insert, looks, place_node, target_of};
 use crate::{Format, convert_colors};
 
 impl Scene {
@@ -33,28 +33,19 @@ impl Scene {
             let primitives: Vec<Value> = mesh.groups.iter().map(|group| primitive(&mesh, group)).collect();
             root.insert("meshes".to_owned(), json!([{ "primitives": primitives }]));
             let mut node = json!({ "mesh": 0 });
-            if mesh.origin != [0.0; 3] {
-                node["translation"] = json!(std::mem::take(&mut mesh.origin));
-            }
+            place_node(&mut node, std::mem::take(&mut mesh.origin), &appearance);
             // Nodes place meshes; their vertices have no coordinates of their own in the file.
             mesh.exact_positions.clear();
             root.insert("nodes".to_owned(), json!([node]));
-            root.insert("scenes".to_owned(), json!([scene_of(&appearance)]));
+            let mut scene = json!({ "nodes": [0] });
+            add_georeference(&mut scene, &appearance);
+            root.insert("scenes".to_owned(), json!([scene]));
             number_materials(&mut mesh);
             meshes.push(Some(mesh));
         }
         let document = Value::Object(root);
         Self::from_parts(SceneParts { document, buffer: Vec::new(), images: appearance.images, meshes })
     }
-}
-
-/// The entry of the scene, which says where on the Earth a terrain is.
-fn scene_of(appearance: &Appearance) -> Value {
-    let mut scene = json!({ "nodes": [0] });
-    if let Ok(georeference) = serde_json::from_str::<Value>(&appearance.georeference) {
-        scene["extras"] = json!({ GEOREFERENCE: georeference });
-    }
-    scene
 }
 
 /// Sorts triangles by material, in the order in which the materials occur first, and joins their groups.

@@ -36,6 +36,24 @@ impl SceneInstance {
     }
 }
 
+/// Gives the georeference of a scene to the meshes whose z axis points up in it, so that they stay height fields.
+pub(super) fn mark_terrains(
+    meshes: &mut [Option<IndexedMesh>],
+    instances: &[SceneInstance],
+    georeference: &str,
+) {
+    let mut stands = vec![true; meshes.len()];
+    for SceneInstance { mesh, transform: [_, x_up, _, _, _, y_up, _, _, z_x, z_up, z_z, ..], .. } in instances
+    {
+        stands[*mesh] &= *z_up > 0.0 && [x_up, y_up, z_x, z_z].iter().all(|&&part| part == 0.0);
+    }
+    for (mesh, _) in meshes.iter_mut().zip(stands).filter(|(_, stands)| *stands) {
+        if let Some(mesh) = mesh {
+            georeference.clone_into(&mut mesh.appearance.georeference);
+        }
+    }
+}
+
 /// Checks everything that code relies on later.
 pub(super) fn check_parts(
     document: &Value,

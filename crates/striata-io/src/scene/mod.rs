@@ -84,9 +84,12 @@ impl Scene {
     /// [`SceneError`] if the parts do not match: a wrong number of meshes, groups or images, a buffer view
     /// outside the buffer, or nodes that do not form a tree.
     pub fn from_parts(parts: SceneParts) -> Result<Self, SceneError> {
-        let SceneParts { document, buffer, images, meshes } = parts;
+        let SceneParts { document, buffer, images, mut meshes } = parts;
         instances::check_parts(&document, buffer.len(), images.len(), &meshes)?;
         let instances = shown_meshes(&document, &buffer)?;
+        if let Some(georeference) = georeference_in(&document) {
+            instances::mark_terrains(&mut meshes, &instances, &georeference.to_string());
+        }
         Ok(Self { document, buffer, images, meshes, instances, warnings: Vec::new() })
     }
 

@@ -24,8 +24,7 @@
 //! triangles (Everett 1963, Lagrange multipliers for the optimum allocation of resources).
 
 use glam::DVec3;
-use striata::Lod;
-use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, canonical_triangles};
+use striata::mesh::{AttributeLayer, CollapseSequence, IndexedMesh, Semantic, canonical_triangles};
 use striata::simplify::AttributeWeights;
 
 use crate::level_walk::{LevelWalk, nearest_shares, point_at};
@@ -82,8 +81,8 @@ struct MeshCorners {
 }
 
 impl MeshCorners {
-    fn new(lod: &Lod, triangles: &[[u32; 3]]) -> Self {
-        let positions = lod.sequence().positions();
+    fn new(sequence: &CollapseSequence, triangles: &[[u32; 3]]) -> Self {
+        let positions = sequence.positions();
         let corners = triangles.to_vec();
         let position_count = positions.position_count();
         let mut position_of = vec![0; positions.vertex_count()];
@@ -133,14 +132,15 @@ impl MeshCorners {
 }
 
 /// Returns the squared error of each step, from the full mesh to the base, in mesh units to the fourth power.
-pub(super) fn step_errors(lod: &Lod, diagonal: f64) -> Vec<f64> {
+pub(crate) fn step_errors(mesh: &IndexedMesh, sequence: &CollapseSequence, diagonal: f64) -> Vec<f64> {
     // Sums must not depend on the order of the triangles, which files may change: their last digits would decide between
     // steps that are equal.
-    let triangles = canonical_triangles(&lod.mesh().triangles);
-    let mut errors = single_errors(lod, &triangles, diagonal);
-    let (mut finer, mut before) = (lod.step_count(), 0.0);
-    for (split_count, sum) in measured_sums(lod, &triangles) {
-        let steps = &mut errors[lod.step_count() - finer..lod.step_count() - split_count];
+    let triangles = canonical_triangles(&mesh.triangles);
+    let step_count = sequence.step_count();
+    let mut errors = single_errors(mesh, sequence, &triangles, diagonal);
+    let (mut finer, mut before) = (step_count, 0.0);
+    for (split_count, sum) in measured_sums(mesh, sequence, &triangles) {
+        let steps = &mut errors[step_count - finer..step_count - split_count];
         // A level that is better than a finer one adds nothing.
         let added = (sum - before).max(0.0);
         let single: f64 = steps.iter().map(|[distance, _]| distance).sum();
@@ -157,8 +157,11 @@ pub(super) fn step_errors(lod: &Lod, diagonal: f64) -> Vec<f64> {
 }
 
 /// Returns the squared distances of some levels, from fine to coarse, each with its split count.
-fn measured_sums(lod: &Lod, triangles: &[[u32; 3]]) -> Vec<(usize, f64)> {
-    let (mesh, sequence) = (lod.mesh(), lod.sequence());
+fn measured_sums(
+    mesh: &IndexedMesh,
+    sequence: &CollapseSequence,
+    triangles: &[[u32; 3]],
+) -> Vec<(usize, f64)> {
     let mut areas = vec![0.0; mesh.vertex_count()];
     for triangle in triangles {
         let [a, b, c] = triangle.map(|v| DVec3::from_array(mesh.positions[v as usize].map(f64::from)));
@@ -168,7 +171,7 @@ fn measured_sums(lod: &Lod, triangles: &[[u32; 3]]) -> Vec<(usize, f64)> {
     let mut walk = LevelWalk::default();
     let mut finer = triangles.to_vec();
     let mut sums = Vec::new();
-    let mut split_count = lod.step_count();
+    let mut split_count = sequence.step_count();
     while split_count > 0 {
         split_count = (split_count as f64 * LEVEL_RATIO) as usize;
         walk.move_to(&finer, sequence, split_count);
@@ -186,10 +189,14 @@ fn measured_sums(lod: &Lod, triangles: &[[u32; 3]]) -> Vec<(usize, f64)> {
 }
 
 /// Returns the squared error of each step by itself, as the sequence shows it: of distances and of attributes.
-fn single_errors(lod: &Lod, triangles: &[[u32; 3]], diagonal: f64) -> Vec<[f64; 2]> {
-    let (mesh, sequence) = (lod.mesh(), lod.sequence());
+fn single_errors(
+    mesh: &IndexedMesh,
+    sequence: &CollapseSequence,
+    triangles: &[[u32; 3]],
+    diagonal: f64,
+) -> Vec<[f64; 2]> {
     let lengths = Lengths::of(mesh, diagonal);
-    let mut stars = MeshCorners::new(lod, triangles);
+    let mut stars = MeshCorners::new(sequence, triangles);
     let mut star = Vec::new();
     let point = |vertex: u32| DVec3::from_array(mesh.positions[vertex as usize].map(f64::from));
     // Area of the original surface that each position stands for.
@@ -269,8 +276,8 @@ pub(super) fn prices(errors: &[f64], triangle_counts: impl Fn(usize) -> usize) -
 
 #[cfg(test)]
 mod tests {
-    use striata::LodOptions;
     use striata::mesh::shapes;
+    use striata::{Lod, LodOptions};
 
     use super::*;
 
@@ -286,13 +293,14 @@ mod tests {
     #[test]
     fn flat_parts_cost_nothing_and_curved_ones_more_the_coarser_they_get() {
         let lod = |mesh| Lod::build(&mesh, &LodOptions::default()).expect("a valid mesh");
+        let errors_of = |lod: &Lod| step_errors(lod.mesh(), lod.sequence(), lod.mesh().diagonal());
         let plane = lod(shapes::grid(12, 12));
         // Only the last steps change the outline.
         let inner = plane.sequence().errors().iter().filter(|&&error| error < 1e-6).count();
-        let flat: f64 = step_errors(&plane, plane.mesh().diagonal()).iter().take(inner).sum();
+        let flat: f64 = errors_of(&plane).iter().take(inner).sum();
         assert!(inner > 100 && flat < 1e-9, "{inner} {flat}");
         let ball = lod(shapes::icosphere(3, 1.0));
-        let errors = step_errors(&ball, ball.mesh().diagonal());
+        let errors = errors_of(&ball);
         assert_eq!(errors.len(), ball.step_count());
         let half = errors.len() / 2;
         let [fine, coarse] = [&errors[..half], &errors[half..]].map(|half| half.iter().sum::<f64>());

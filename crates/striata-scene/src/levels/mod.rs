@@ -23,6 +23,7 @@ use striata::simplify::StopReason;
 use striata::{Lod, Target};
 use striata_io::SceneInstance;
 
+pub(crate) use curve::step_errors;
 use mesh_levels::{LevelCounts, MeshLevels, first_meshes, merged_order};
 pub use weight::MeshWeight;
 
@@ -88,7 +89,7 @@ impl SceneLevels {
         }
         Self::merged(&levels, weights, |mesh, scale| {
             let Some(lod) = &lods[mesh] else { return Vec::new() };
-            let errors = curve::step_errors(lod, diagonal / scale);
+            let errors = step_errors(lod.mesh(), lod.sequence(), diagonal / scale);
             let count = |step: usize| lod.sequence().triangle_count_at(lod.step_count() - step);
             let prices = curve::prices(&errors, count);
             // Squared lengths times areas, in units of the scene.

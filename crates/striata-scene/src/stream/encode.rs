@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use striata::mesh::IndexedMesh;
+use striata::mesh::{IndexedMesh, RefinableMesh};
 use striata::simplify::{BatchOptions, BuiltBatches, SimplifyError};
 use striata::{Cancelled, Progress, ProgressFn, ignore_progress};
 use striata_io::Scene;
@@ -21,6 +21,7 @@ use super::mesh_stream::MeshStream;
 use super::packet::{HEADER_BYTES, PacketKind, begin, end, put_packet};
 use super::precision::{MeshPrecision, longest_side, mesh_precisions, scene_tolerance};
 use crate::copies::Copies;
+use crate::levels::{MeshWeight, step_errors};
 use crate::mesh_simplifier::{MeshSimplifier, stage};
 
 /// A scene as a stream.
@@ -115,8 +116,10 @@ fn share(meshes: &mut [Option<MeshStream>]) -> (Vec<Option<MeshEntry>>, Vec<usiz
         if let (Some(entry), Some(stream)) = (&mut entries[mesh], meshes[mesh].take()) {
             entry.bytes = 0;
             // Its refinement improves all meshes that have it.
-            let largest = |first: &mut MeshStream| first.scale = first.scale.max(stream.scale);
-            meshes[source].as_mut().map(largest);
+            if let Some(first) = &mut meshes[source] {
+                first.scale = first.scale.max(stream.scale);
+                first.weight += stream.weight;
+            }
         }
     }
     (entries, sources)
@@ -140,6 +143,7 @@ fn encode_meshes(
     let mut first_of: HashMap<[u64; 2], (usize, StreamOptions)> = HashMap::new();
     let simplifier = MeshSimplifier::new(scene);
     let precisions = mesh_precisions(scene, &options.stream);
+    let (weights, diagonal) = (MeshWeight::of_scene(scene), scene.diagonal());
     for (index, (mesh, precision)) in scene.meshes().iter().zip(precisions).enumerate() {
         let Some((mesh, MeshPrecision { options: own, scale })) = mesh.as_ref().zip(precision) else {
             streams.push(None);
@@ -157,17 +161,19 @@ fn encode_meshes(
             && *options_of_first == own
             && simplifier.is_simplified_alike([*first, index], &options.batches.sequence);
         let encoded: Option<&MeshStream> = if is_copy { streams[*first].as_ref() } else { None };
-        let (bytes, info) = match encoded {
-            Some(stream) => (stream.bytes.clone(), stream.info.clone()),
+        let weight = weights[index];
+        let weight = weight.instance_count as f64 * weight.importance.powi(2) * scale.powi(4);
+        let stream = match encoded {
+            Some(stream) => stream.clone(),
             None => encode_mesh(
                 &simplifier,
-                NumberedMesh { index, mesh },
+                NumberedMesh { index, mesh, diagonal: if scale > 0.0 { diagonal / scale } else { 0.0 } },
                 StreamSettings { options: &own, batches: &options.batches },
                 &mut within,
             )
             .map_err(|error| error.in_mesh(index))?,
         };
-        streams.push(Some(MeshStream { bytes, info, scale }));
+        streams.push(Some(MeshStream { scale, weight, ..stream }));
         done += mesh.triangle_count() as u64;
         if progress(Progress { phase: "encode", done, total: total as u64 }).is_break() {
             return Err(SceneEncodeError::Cancelled);
@@ -200,6 +206,8 @@ struct NumberedMesh<'a> {
     pub index: usize,
     /// The mesh.
     pub mesh: &'a IndexedMesh,
+    /// Diagonal of the scene, mesh units.
+    pub diagonal: f64,
 }
 
 /// How the steps of a mesh are found and coded.
@@ -212,10 +220,10 @@ struct StreamSettings<'a> {
 
 fn encode_mesh(
     simplifier: &MeshSimplifier<'_>,
-    NumberedMesh { index, mesh }: NumberedMesh<'_>,
+    NumberedMesh { index, mesh, diagonal }: NumberedMesh<'_>,
     StreamSettings { options, batches }: StreamSettings<'_>,
     progress: &mut ProgressFn<'_>,
-) -> Result<(Vec<u8>, StreamInfo), MeshFault> {
+) -> Result<MeshStream, MeshFault> {
     let mut batches = batches.clone();
     if batches.shape_step.is_none() && options.precision != Precision::Lossless {
         let step = options.grid_step(mesh).map_err(|error| MeshFault::Stream(error.into()))?;
@@ -230,5 +238,11 @@ fn encode_mesh(
     let stream = stream.map_err(MeshFault::Stream)?;
     // A stream that was just written has a valid header.
     let info = StreamInfo::read(&stream.bytes).ok().flatten().unwrap_or_default();
-    Ok((stream.bytes, info))
+    let RefinableMesh { mesh, sequence } = &built.refinable;
+    let steps = step_errors(mesh, sequence, diagonal);
+    let ends = info.chunks.iter().map(|chunk| chunk.split_count.min(steps.len()));
+    let gain =
+        |(before, after): (usize, usize)| steps[steps.len() - after..steps.len() - before].iter().sum();
+    let gains = ends.clone().zip(ends.skip(1)).map(gain).collect();
+    Ok(MeshStream { bytes: stream.bytes, info, scale: 0.0, gains, weight: 0.0 })
 }

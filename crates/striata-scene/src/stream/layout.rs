@@ -136,7 +136,7 @@ fn put_refinement(
     });
     let mut sent: Vec<usize> =
         meshes.iter().map(|mesh| mesh.as_ref().map_or(0, |mesh| mesh.info.base_bytes as usize)).collect();
-    for item in schedule(&costs, &others) {
+    for item in schedule(&costs, &others, diagonal) {
         match item {
             Item::Animations => packets.put(PacketKind::Buffer, 1, animations),
             Item::Image(image) => packets.put_image(image, &scene.images()[image].bytes),

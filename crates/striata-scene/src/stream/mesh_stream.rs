@@ -6,11 +6,16 @@ use super::head::MeshEntry;
 use super::schedule::MeshCosts;
 
 /// The stream of a mesh.
+#[derive(Clone)]
 pub(super) struct MeshStream {
     pub bytes: Vec<u8>,
     pub info: StreamInfo,
     /// Factor from mesh units to scene units, 0 if the mesh is not shown.
     pub scale: f64,
+    /// Summed squared error that each chunk of its refinement takes away, mesh units to the fourth power.
+    pub gains: Vec<f64>,
+    /// Factor from that to units of the scene, for all instances together.
+    pub weight: f64,
 }
 
 impl MeshStream {
@@ -31,11 +36,11 @@ impl MeshStream {
         self.info.chunks.get(1..).unwrap_or(&[])
     }
 
-    /// Returns the bytes of each chunk of its refinement, and the error before it.
+    /// Returns the bytes of each chunk of its refinement, and what it gains.
     pub(super) fn costs(&self) -> MeshCosts {
         MeshCosts {
             bytes: self.refinement().iter().map(|chunk| chunk.bytes).collect(),
-            errors: self.refinement().iter().map(|chunk| f64::from(chunk.error) * self.scale).collect(),
+            gains: self.gains.iter().map(|gain| gain * self.weight).collect(),
         }
     }
 }

@@ -482,6 +482,11 @@ impl StreamDecoder {
         self.header.as_ref().map_or(ColorSpace::Srgb, |header| header.appearance.color_space)
     }
 
+    /// Place of a terrain on the Earth, JSON; empty if there is none, and before the header has been decoded.
+    pub fn georeference(&self) -> &str {
+        self.header.as_ref().map_or("", |header| &header.appearance.georeference)
+    }
+
     /// Number of vertex splits in the whole stream, or `None` before its header has been decoded.
     pub fn step_count(&self) -> Option<usize> {
         self.header.as_ref().map(|header| header.step_count as usize)

@@ -53,6 +53,13 @@ impl Bounds {
     pub fn diagonal(&self) -> f64 {
         (0..3).map(|a| f64::from(self.max[a]) - f64::from(self.min[a])).map(|d| d * d).sum::<f64>().sqrt()
     }
+
+    /// Whether the extent along z is less than .3 of the others, as that of a terrain is: pictures then take z as up
+    /// unless the file says otherwise.
+    pub fn lies_flat(&self) -> bool {
+        let size = [0, 1, 2].map(|axis| self.max[axis] - self.min[axis]);
+        size[2] < 0.3 * size[0].min(size[1])
+    }
 }
 
 /// Why a mesh is unusable as it is.

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use super::additions::set_offset;
 use super::compact::compact;
 use super::parts::{GltfParts, array_length, entries, entries_mut, index_at};
+use crate::error::Refusal;
 use crate::gltf::builder::ELEMENT_ARRAY_BUFFER;
 use crate::gltf::extensions::are_all_known;
 
@@ -17,13 +18,13 @@ const MANY: usize = 32;
 type ViewKey = (u64, Option<usize>, Option<usize>);
 
 /// Joins the views of vertices and of indices, unless an unknown extension may refer to them.
-pub(super) fn gather(parts: &mut GltfParts) {
+pub(super) fn gather(parts: &mut GltfParts) -> Result<(), Refusal> {
     if array_length(&parts.root, "bufferViews") < MANY {
-        return;
+        return Ok(());
     }
-    parts.parse_written();
+    parts.parse_written()?;
     if !are_all_known(&parts.root) {
-        return;
+        return Ok(());
     }
     let types = index_types(&parts.root);
     let mut alike: BTreeMap<ViewKey, Vec<usize>> = BTreeMap::new();
@@ -42,7 +43,7 @@ pub(super) fn gather(parts: &mut GltfParts) {
         join(parts, &views, &mut moved);
     }
     if moved.is_empty() {
-        return;
+        return Ok(());
     }
     for accessor in entries_mut(&mut parts.root, "accessors") {
         let place = index_at(accessor, "bufferView").and_then(|view| moved.get(&view));
@@ -53,6 +54,7 @@ pub(super) fn gather(parts: &mut GltfParts) {
         }
     }
     compact(parts, &std::collections::BTreeSet::new());
+    Ok(())
 }
 
 /// Returns the component type of the accessors in each view.

@@ -56,7 +56,7 @@ impl GltfParts {
             }
         }
         if options.draco || options.quantize.is_some() || options.meshopt {
-            self.parse_written();
+            self.parse_written()?;
         }
         if options.draco {
             // Draco quantizes by itself.
@@ -70,7 +70,6 @@ impl GltfParts {
         if options.meshopt {
             meshopt(self, options.quantize.as_ref());
         }
-        gather(self);
-        Ok(())
+        gather(self)
     }
 }

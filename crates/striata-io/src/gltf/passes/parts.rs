@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value, json};
 
+use crate::error::Refusal;
 use crate::gltf::document::GltfDocument;
 
 /// glTF document before it is embedded into a file.
@@ -34,11 +35,16 @@ impl WrittenArray {
 
 impl GltfParts {
     /// Parses the arrays that are written already, so that passes can change them.
-    pub(in crate::gltf) fn parse_written(&mut self) {
+    ///
+    /// # Errors
+    /// If the parser does not accept them, such as because they are nested too deeply.
+    pub(in crate::gltf) fn parse_written(&mut self) -> Result<(), Refusal> {
         for (key, array) in std::mem::take(&mut self.written) {
-            let entries = serde_json::from_str(&format!("[{}]", array.text)).unwrap_or_default();
+            let entries = serde_json::from_str(&format!("[{}]", array.text))
+                .map_err(|error| Refusal::Unsupported(format!("its array of {key}: {error}")))?;
             push_entries(&mut self.root, key, entries);
         }
+        Ok(())
     }
 
     /// Returns the JSON of the document on one line.

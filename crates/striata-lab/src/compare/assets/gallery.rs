@@ -48,6 +48,9 @@ pub(super) struct PictureDifference {
     pub silhouette: f64,
     /// Mean difference of colors (0 to 255) over the pixels that either mesh covers, with materials.
     pub color_mean: Option<f64>,
+    /// Peak signal-to-noise ratio over the pixels that either mesh covers, dB: of colors with materials, else of gray
+    /// levels; [`None`] if the pictures are equal.
+    pub decibels: Option<f64>,
 }
 
 impl Gallery {
@@ -79,25 +82,31 @@ impl Gallery {
                 original_area += f64::from(b.cover);
             }
         }
+        let gray_rms = (squares / f64::max(seen, 1.0)).sqrt();
+        let color = self.color_difference(level);
+        let rms = color.map_or(gray_rms, |(_, rms)| rms);
         PictureDifference {
-            gray_rms: (squares / f64::max(seen, 1.0)).sqrt(),
+            gray_rms,
             silhouette: if original_area > 0.0 { area / original_area } else { 1.0 },
-            color_mean: self.color_difference(level),
+            color_mean: color.map(|(mean, _)| mean),
+            decibels: (rms > 0.0).then(|| 20.0 * (255.0 / rms).log10()),
         }
     }
 
-    /// Mean difference of the pictures with materials.
-    fn color_difference(&self, level: &IndexedMesh) -> Option<f64> {
+    /// Mean and RMS difference of the pictures with materials.
+    fn color_difference(&self, level: &IndexedMesh) -> Option<(f64, f64)> {
         let (look, pictures) = self.lit.as_ref()?;
-        let (mut sum, mut seen) = (0.0, 0.0);
+        let (mut sum, mut squares, mut seen) = (0.0, 0.0, 0.0);
         for (theirs, ours) in take_lit_pictures(level, look, &self.cameras).iter().zip(pictures) {
             for ((a, a_cover), (b, b_cover)) in theirs.iter().zip(ours) {
-                let difference: f32 = (0..3).map(|k| (a[k] - b[k]).abs()).sum();
-                sum += f64::from(difference) / 3.0;
+                let differences = [0, 1, 2].map(|k| f64::from((a[k] - b[k]).abs()));
+                sum += differences.iter().sum::<f64>() / 3.0;
+                squares += differences.iter().map(|difference| difference * difference).sum::<f64>() / 3.0;
                 seen += f64::from(a_cover.max(*b_cover));
             }
         }
-        Some(sum / f64::max(seen, 1.0))
+        let seen = f64::max(seen, 1.0);
+        Some((sum / seen, (squares / seen).sqrt()))
     }
 }
 
@@ -156,7 +165,10 @@ mod tests {
     fn mesh_does_not_differ_from_itself() {
         let ball = with_normals(shapes::icosphere(2, 1.0));
         let same = Gallery::of(&ball, None).compare(&ball);
-        assert_eq!(same, PictureDifference { gray_rms: 0.0, silhouette: 1.0, color_mean: None });
+        assert_eq!(
+            same,
+            PictureDifference { gray_rms: 0.0, silhouette: 1.0, color_mean: None, decibels: None }
+        );
     }
 
     #[test]
@@ -196,6 +208,9 @@ mod tests {
         let found = gallery.compare(&ball);
         assert_eq!((found.gray_rms, found.silhouette), (0.0, 1.0));
         assert!(found.color_mean.unwrap() > 30.0, "{found:?}");
+        // The RMS is at least the mean.
+        let at_most = 20.0 * (255.0 / found.color_mean.unwrap()).log10();
+        assert!(found.decibels.is_some_and(|decibels| decibels > 0.0 && decibels <= at_most), "{found:?}");
     }
 
     #[test]

@@ -38,6 +38,8 @@ pub(super) struct LevelRow {
     pub silhouette: f64,
     /// Mean difference of colors with materials, 0 to 255.
     pub color_mean: Option<f64>,
+    /// Peak signal-to-noise ratio of the pictures, dB.
+    pub picture_db: Option<f64>,
     /// The error that the contender reports.
     pub error: Option<f64>,
     /// Ratio of the reported error to the measured maximum.
@@ -82,6 +84,7 @@ pub(super) fn measure_level(
         gray_rms: seen.gray_rms,
         silhouette: seen.silhouette,
         color_mean: seen.color_mean,
+        picture_db: seen.decibels,
         error: level.error.map(share),
         error_ratio: level.error.map(|error| error / distance.max).filter(|ratio| ratio.is_finite()),
         error_limit: level.error_limit,

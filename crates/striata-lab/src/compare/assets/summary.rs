@@ -92,6 +92,7 @@ mod tests {
             gray_rms: 0.0,
             silhouette: 1.0,
             color_mean: None,
+            picture_db: None,
             error: None,
             error_ratio: None,
             error_limit: None,

@@ -12,7 +12,8 @@ use striata_command::output::{format_count, format_duration};
 /// Explanation of the table.
 const READING: &str = "RMS, max: 1e-5 of the diagonal, both ways. Normals: degrees. UV: units of UV \
                        space. Gray: RMS of 255 levels over 12 pictures. Color: mean difference of 255 \
-                       levels over 12 pictures with materials. Silhouette: covered area over the \
+                       levels over 12 pictures with materials. dB: signal to noise of these pictures, of gray levels \
+                       if there are no materials. Silhouette: covered area over the \
                        original's. A star marks levels with more triangles than requested.";
 
 /// The table with its notes, as text.
@@ -41,6 +42,7 @@ fn table(report: &AssetsReport) -> Vec<Vec<String>> {
         "UV 95 %",
         "gray",
         "color",
+        "dB",
         "silhouette",
         "error/max",
         "time",
@@ -66,6 +68,7 @@ fn cells(row: &LevelRow) -> Vec<String> {
         or_dash(row.uv_p95, 5),
         format!("{:.2}", row.gray_rms),
         or_dash(row.color_mean, 2),
+        or_dash(row.picture_db, 1),
         format!("{:.4}", row.silhouette),
         or_dash(row.error_ratio, 2),
         format_duration(row.secs),
