@@ -34,10 +34,13 @@ pub fn losses(format: Format, mesh: &IndexedMesh, file: &str) -> Vec<Warning> {
 }
 
 /// Returns a remark on each property of the meshes of a scene that a file of this format does not hold as it is; `file` is
-/// its name for messages. 3MF is not among the formats: its writer says so itself.
+/// its name for messages. The writer of 3MF names properties itself.
 #[cfg(feature = "gltf")]
 pub fn scene_losses(format: Format, scene: &crate::Scene, file: &str) -> Vec<Warning> {
     let mut warnings = Warnings::of_file(file);
+    if !matches!(format, Format::Gltf | Format::Glb | Format::Striata | Format::Stream) {
+        warn_of_motion(scene, &mut warnings);
+    }
     for mesh in scene.meshes().iter().flatten() {
         match format {
             Format::Gltf | Format::Glb => warn(format, mesh, &mut warnings),
@@ -56,6 +59,25 @@ pub fn scene_losses(format: Format, scene: &crate::Scene, file: &str) -> Vec<War
         }
     }
     warnings.into_list()
+}
+
+/// Warns of what moves a scene: a mesh has only the pose in which it is stored.
+#[cfg(feature = "gltf")]
+fn warn_of_motion(scene: &crate::Scene, warnings: &mut Warnings) {
+    let count = |key: &str| scene.document().get(key).and_then(|list| list.as_array()).map_or(0, Vec::len);
+    let layers = scene.meshes().iter().flatten().flat_map(|mesh| &mesh.layers);
+    let has_targets = |layer: &AttributeLayer| matches!(layer.semantic, Semantic::MorphPosition(_));
+    let targets = layers.filter(|layer| has_targets(layer)).count();
+    for (count, one, many) in [
+        (count("animations"), "animation is", "animations are"),
+        (count("skins"), "skin is", "skins are"),
+        (targets, "morph target is", "morph targets are"),
+    ] {
+        if count > 0 {
+            let what = if count == 1 { one } else { many };
+            warnings.push(Place::File, format!("{count} {what} left out: the mesh keeps its rest pose"));
+        }
+    }
 }
 
 #[cfg(feature = "gltf")]

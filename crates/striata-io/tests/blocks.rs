@@ -154,6 +154,29 @@ fn corners(mesh: &IndexedMesh) -> Vec<[[u32; 3]; 3]> {
     all
 }
 
+/// A georeference stays with the strips, and turns the node of a GLB file.
+#[test]
+fn strips_in_blocks_keep_the_georeference() {
+    let mut mesh = shapes::grid(9, 7);
+    mesh.appearance.georeference = r#"{"epsg":32632}"#.to_owned();
+    let text = to_bytes(Format::Ply, &mesh, &WriteOptions::default().with_ascii(true)).unwrap();
+    let glb = to_bytes(Format::Glb, &mesh, &WriteOptions::default()).unwrap();
+    for (name, bytes) in [("a.ply", ply(&mesh)), ("b.ply", text), ("c.glb", glb)] {
+        let input = test_folder(name, &bytes);
+        for format in [Format::Ply, Format::Glb] {
+            let out = input.scratch.parent().unwrap().join(format!("out.{format}"));
+            strip_to(&input, 20, format, &out);
+            let back = read(&out).unwrap();
+            assert_eq!(back.appearance.georeference, mesh.appearance.georeference, "{name} to {format}");
+            assert_eq!(back.bounds(), mesh.bounds(), "{name} to {format}");
+            if format == Format::Glb {
+                let scene = striata_io::read_scene(&out).unwrap();
+                assert_eq!(scene.bounds().unwrap().max[1], mesh.bounds().unwrap().max[2]);
+            }
+        }
+    }
+}
+
 /// A file in blocks has the vertices, the layers and the triangles that the reader for meshes in memory
 /// gives, as far as PLY stores them.
 fn assert_same_as_in_memory(name: &str, bytes: &[u8], block_triangles: usize) -> BlocksReport {

@@ -174,6 +174,27 @@ fn damaged_rasters_are_errors() {
     }
 }
 
+/// Samples that share a byte would be taken for whole bytes.
+#[test]
+fn samples_of_less_than_a_byte_are_refused() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("few.tif");
+    let mut encoder = TiffEncoder::new(fs::File::create(&path).unwrap()).unwrap();
+    encoder.new_image::<colortype::Gray8>(8, 8).unwrap().write_data(&[3; 64]).unwrap();
+    let bytes = fs::read(&path).unwrap();
+    // The entry of BitsPerSample: one 16-bit number.
+    let entry = |bits: u8| [2, 1, 3, 0, 1, 0, 0, 0, bits, 0];
+    let at = bytes.windows(10).position(|window| window == entry(8)).unwrap();
+    assert!(open_pieces(&path, &PieceOptions::default()).is_ok());
+    for bits in [1, 2, 4] {
+        let mut changed = bytes.clone();
+        changed[at..at + 10].copy_from_slice(&entry(bits));
+        fs::write(&path, &changed).unwrap();
+        let text = message(open_pieces(&path, &PieceOptions::default()));
+        assert!(text.contains("few.tif") && text.contains(&format!("{bits} bits per sample")), "{text}");
+    }
+}
+
 /// Writes a raster of floats with these tags.
 fn write_floats(path: &Path, heights: &[f32], tags: &[(Tag, &[f64])], metadata: Option<&str>) {
     let mut encoder = TiffEncoder::new(fs::File::create(path).unwrap()).unwrap();

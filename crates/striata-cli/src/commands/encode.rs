@@ -77,6 +77,8 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     bar.phase("encode");
     let options = args.stream.options(mesh.diagonal());
     let stream = encoded(&sequenced, &options, &mut bar)?;
+    let merged = options.merged_position_count(&mesh).unwrap_or(0);
+    warn_of_merging(merged, mesh.vertex_count(), output);
     let bytes = match format == Format::Striata {
         true => in_striata_file(&stream, &input.file_name())?,
         false => stream.bytes.clone(),
@@ -89,6 +91,16 @@ pub(crate) fn run(args: &EncodeArgs, output: &Output) -> Result<(), Failure> {
     let encoded = EncodeResult { mesh: &mesh, sequenced: &sequenced, stream: &stream };
     let report = EncodeReport::new(&encoded, display_name(&path), bytes.len(), phases)?;
     output.summary(&report, &report.to_text(args, &options))
+}
+
+/// Warns if rounding makes more than one in a thousand vertices fall on others.
+pub(super) fn warn_of_merging(merged: usize, vertex_count: usize, output: &Output) {
+    if merged * 1000 > vertex_count {
+        let (merged, all) = (format_count(merged), format_count(vertex_count));
+        output.say(&format!(
+            "warning: at this precision, {merged} of {all} vertices fall on others; --bits or --lossless keeps them apart"
+        ));
+    }
 }
 
 /// Encodes the collapses batch by batch, or all steps as fragments if there are no batches.

@@ -83,6 +83,7 @@ impl BinaryPly {
         };
         let mut stream = PlyStream::open(file, input.name)?;
         stream.header.has_top_origin = header.encoding == Encoding::Ascii;
+        stream.header.georeference.clone_from(&header.georeference);
         stream.choose_origin()?;
         left_out(&header).into_iter().for_each(|remark| warnings.push(Place::File, remark));
         let mut data = FaceData::new(&header, 0);
@@ -131,6 +132,10 @@ impl BinaryPly {
         }
         let mut stream = PlyStream::open(file, summary.name.clone())?;
         stream.header.has_top_origin = true;
+        stream.header.georeference = match &summary.georeference {
+            Some(georeference) => georeference.to_string(),
+            None => summary.appearance.georeference.clone(),
+        };
         (stream.origin, stream.is_relative) = (summary.origin, true);
         let triangle_layers = summary.triangle_layers.iter().map(|kind| kind.empty_layer()).collect();
         Ok(Self { stream, warnings: warnings.into_list(), triangle_layers })

@@ -10,14 +10,14 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::sync::Arc;
 
-use striata::mesh::{AttributeLayer, IndexedMesh, origin_of, relative_position};
+use striata::mesh::{Appearance, AttributeLayer, IndexedMesh, origin_of, relative_position};
 
 use super::header::{Element, Encoding, Header, PlyProperty, Scalar};
 use super::lists::index_list;
 use super::rows::integer_from_bytes;
 use super::texcoords::{has_origin, with_bottom_origin};
 use super::vertices::PlyVertices;
-use super::write::{push_row, push_values, vertex_header};
+use super::write::{georeference_comment, push_row, push_values, vertex_header};
 use crate::ReadError;
 use crate::color_space::byte_colors;
 use crate::error::{Fault, Place};
@@ -169,7 +169,9 @@ impl PlyStream {
         let taken = if self.is_relative { [0.0; 3] } else { self.origin };
         let positions = vertices.positions(&self.header, taken).map_err(in_file)?;
         let layers = vertices.layers(&self.header);
-        Ok(IndexedMesh { layers, origin: self.origin, ..IndexedMesh::new(positions, Vec::new()) })
+        let appearance =
+            Appearance { georeference: self.header.georeference.clone(), ..Appearance::default() };
+        Ok(IndexedMesh { layers, origin: self.origin, appearance, ..IndexedMesh::new(positions, Vec::new()) })
     }
 
     /// Writes the header of a file whose triangles are strips, and copies the vertex rows: unchanged, unless
@@ -188,6 +190,7 @@ impl PlyStream {
         for texture in &self.header.texture_files {
             head += &format!("comment TextureFile {}\n", texture.name);
         }
+        head += &georeference_comment(&self.header.georeference);
         head += &format!("element vertex {}\n", self.vertex_count);
         let vertex = self.header.elements.iter().find(|e| e.name == "vertex");
         for property in vertex.into_iter().flat_map(|vertex| &vertex.properties) {
@@ -236,7 +239,9 @@ impl PlyStream {
         let has_doubles = self.has_doubles() || self.origin != [0.0; 3];
         let coordinate = if has_doubles { Scalar::F64 } else { Scalar::F32 };
         let head = vertex_header(coordinate, layers, &names, "binary_little_endian", &vertex_count);
-        let head = head.map_err(|refusal| io::Error::other(refusal.into_reason()))?;
+        let mut head = head.map_err(|refusal| io::Error::other(refusal.into_reason()))?;
+        let comment = georeference_comment(&self.header.georeference);
+        head.insert_str(head.find("element").unwrap_or(head.len()), &comment);
         out.write_all((head + STRIPS).as_bytes())?;
         let mut written = Vec::new();
         self.for_each_row_batch(|_, rows| {

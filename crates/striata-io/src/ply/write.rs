@@ -67,10 +67,7 @@ fn header(
     let coordinate = if mesh.needs_doubles() { Scalar::F64 } else { Scalar::F32 };
     let vertex_count = mesh.positions.len().to_string();
     let mut out = vertex_header(coordinate, layers, &names, encoding, &vertex_count)?;
-    let georeference = &mesh.appearance.georeference;
-    if !georeference.is_empty() {
-        comments += &format!("comment georeference {}\n", georeference.replace(['\n', '\r'], " "));
-    }
+    comments += &georeference_comment(&mesh.appearance.georeference);
     out.insert_str(out.find("element").unwrap_or(out.len()), &comments);
     out += &format!("element face {}\nproperty list uchar int vertex_indices\n", mesh.triangles.len());
     if textures.numbers.is_some() {
@@ -85,6 +82,14 @@ fn header(
 
 fn names_of(layers: &[impl Borrow<AttributeLayer>], of_triangles: bool) -> Vec<Vec<String>> {
     names_of_layers(layers, |layer| scalar_of(&layer.data), of_triangles)
+}
+
+/// Comment that says where on the Earth a terrain is; empty if that is unknown.
+pub(super) fn georeference_comment(georeference: &str) -> String {
+    if georeference.is_empty() {
+        return String::new();
+    }
+    format!("comment georeference {}\n", georeference.replace(['\n', '\r'], " "))
 }
 
 /// Comments that name the generic layers whose integers stand for fractions.

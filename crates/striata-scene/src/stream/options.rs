@@ -1,7 +1,10 @@
 //! Options of scene streams.
 
 use striata::simplify::BatchOptions;
+use striata_io::Scene;
 use striata_stream::StreamOptions;
+
+use super::precision::mesh_precisions;
 
 /// Options of [`encode_scene`](super::encode_scene).
 #[derive(Clone, Debug)]
@@ -27,6 +30,13 @@ impl Default for SceneStreamOptions {
 }
 
 impl SceneStreamOptions {
+    /// Returns how many positions of all meshes fall on those of others when they are rounded. Cost: sorts all positions.
+    pub fn merged_position_count(&self, scene: &Scene) -> usize {
+        let precisions = mesh_precisions(scene, &self.stream);
+        let precise = scene.meshes().iter().zip(precisions).filter_map(|(mesh, own)| mesh.as_ref().zip(own));
+        precise.map(|(mesh, own)| own.options.merged_position_count(mesh).unwrap_or(0)).sum()
+    }
+
     /// Sets [`Self::stream`].
     pub fn with_stream(self, stream: StreamOptions) -> Self {
         Self { stream, ..self }

@@ -11,7 +11,7 @@
 //! Cauchy's formula) by the contrast it has lost, which was measured: `A c / 4`. So the image stands for an
 //! error of `A c / (4 D)`. Normals count half of it and other maps a quarter, because less of them shows in a
 //! picture. The summed squared error `S` of all geometry that is still to come is, for this comparison, an error of
-//! `4 √S / D`: the largest error is about four times the root mean square, and the surface about the squared diagonal.
+//! `8 √S / D`: the largest error is about eight times the root mean square, and the surface about the squared diagonal.
 //!
 //! **Animations** are one item that counts as an error of one percent of the diagonal: a moving scene of that
 //! accuracy is worth more than a finer one that stands still.
@@ -38,7 +38,7 @@ pub(super) struct WholeCosts {
 }
 
 /// Largest error of a level as a multiple of the root mean square.
-const LARGEST_OF_RMS: f64 = 4.0;
+const LARGEST_OF_RMS: f64 = 8.0;
 
 /// Error that animations count as, as a share of the diagonal of the scene.
 pub(super) const ANIMATION_ERROR: f64 = 0.01;
@@ -149,7 +149,7 @@ mod tests {
             chunks(0, 1..2),
             Item::Image(2),
         ];
-        assert_eq!(schedule(&[small, large], &images, 4.0), expected);
+        assert_eq!(schedule(&[small, large], &images, 8.0), expected);
     }
 
     #[test]

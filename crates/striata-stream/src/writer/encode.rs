@@ -82,11 +82,31 @@ impl StreamOptions {
         grid_of(mesh, self.precision).map(|grid| grid.step)
     }
 
+    /// Returns how many positions of a mesh fall on those of others when they are rounded, such as because one vertex
+    /// is so far away that the grid is coarser than everything else. Cost: sorts all positions.
+    ///
+    /// # Errors
+    /// [`GridError`] if the precision does not give a valid grid.
+    pub fn merged_position_count(&self, mesh: &IndexedMesh) -> Result<usize, GridError> {
+        if self.precision == Precision::Lossless {
+            return Ok(0);
+        }
+        let grid = grid_of(mesh, self.precision)?;
+        let apart = distinct(mesh.positions.iter().map(|p| p.map(|x| (x + 0.0).to_bits())).collect());
+        Ok(apart.saturating_sub(distinct(mesh.positions.iter().map(|&p| grid.quantize(p)).collect())))
+    }
+
     /// Adds to [`Self::metadata`].
     pub fn with_metadata(mut self, key: impl Into<String>, value: impl Into<String>) -> Self {
         self.metadata.push((key.into(), value.into()));
         self
     }
+}
+
+fn distinct<T: Ord>(mut values: Vec<T>) -> usize {
+    values.sort_unstable();
+    values.dedup();
+    values.len()
 }
 
 /// Recommended value of [`BatchOptions::shape_step`](striata::simplify::BatchOptions::shape_step), in

@@ -5,6 +5,7 @@ use std::path::Path;
 use serde::Serialize;
 use serde_json::Value;
 use striata::LodOptions;
+use striata::mesh::IndexedMesh;
 use striata::simplify::BatchOptions;
 use striata_command::clock::{Phases, peak_rss_bytes};
 use striata_command::failure::Failure;
@@ -16,6 +17,7 @@ use striata_io::{Format, Scene, scene_losses};
 use striata_scene::stream::{SceneStreamOptions, SceneStreamSizes, encode_scene_with_progress};
 use striata_scene::{BuildError, GlbStreamOptions, LodScene};
 
+use super::super::encode::warn_of_merging;
 use super::build::mesh_count_text;
 use crate::args::EncodeArgs;
 
@@ -81,6 +83,8 @@ pub(in crate::commands) fn encode(
         Format::Glb => (glb(args, input, &scene, &mut bar)?, None),
         _ => {
             let options = stream_options(args, &scene)?;
+            let vertex_count = scene.meshes().iter().flatten().map(IndexedMesh::vertex_count).sum();
+            warn_of_merging(options.merged_position_count(&scene), vertex_count, output);
             let encoded = encode_scene_with_progress(&scene, &options, &mut |progress| bar.show(progress));
             let encoded = encoded.map_err(|error| Failure::user(format!("{}: {error}", input.name)))?;
             (encoded.bytes, Some(encoded.sizes.into()))

@@ -73,6 +73,10 @@ impl GeoTiff {
         if samples != 1 {
             return Err(malformed(&name, format!("{samples} values per pixel; heights have one")));
         }
+        let bits = decoder.find_tag_unsigned::<u16>(Tag::BitsPerSample).map_err(wrong)?.unwrap_or(1);
+        if bits < 8 {
+            return Err(malformed(&name, format!("{bits} bits per sample; heights have 8, 16, 32 or 64")));
+        }
         if width < 2 || height < 2 {
             return Err(malformed(&name, format!("{width} by {height} samples are no surface")));
         }

@@ -20,6 +20,9 @@ const MAX_CUTS: usize = 16;
 /// Additional cuts per piece for each triangle of the floor.
 const MAX_CUTS_PER_FACE: usize = 4;
 
+/// Distances that are kept at most, 8 bytes each: with more, pieces are assigned whole.
+pub(super) const MAX_DISTANCES: usize = 1 << 25;
+
 /// A face is nearer only if its squared distance is below this share of the other's: rounding must not
 /// cause cuts.
 const NEARER_SHARE: f64 = 1.0 - 1e-5;
@@ -63,6 +66,11 @@ impl MeasuredPoints {
     #[inline]
     fn squared(&self, point: u32, face: usize) -> f64 {
         self.row(point)[face / 4].to_array()[face % 4]
+    }
+
+    /// Whether more points may be measured.
+    fn has_room(&self) -> bool {
+        4 * self.squared.len() < MAX_DISTANCES
     }
 
     /// Returns the face whose largest squared distance from any of the given points is smallest, and
@@ -177,6 +185,7 @@ impl PieceAssigner {
             let (face, squared) = self.points.best(shape.points(), self.floor.count());
             if squared > self.allowed()
                 && cuts_left > 0
+                && self.points.has_room()
                 && let Some(parts) = self.cut(&shape, plane, face)
             {
                 cuts_left -= 1;

@@ -80,6 +80,23 @@ impl Floor {
         }
         least.to_array().into_iter().fold(f64::INFINITY, f64::min)
     }
+
+    /// Returns the triangle whose largest squared distance from any of the given points is smallest, and that
+    /// distance; keeps no distances.
+    pub(super) fn best(&self, points: &[DVec3]) -> (usize, f64) {
+        let (mut best, mut least) = (0, f64::INFINITY);
+        for (batch, four) in self.batches.iter().enumerate() {
+            let worst = points
+                .iter()
+                .fold(f64x4::ZERO, |worst, &point| worst.fast_max(four.squared_distances(point)));
+            for (lane, &squared) in worst.to_array().iter().enumerate() {
+                if squared < least && 4 * batch + lane < self.count() {
+                    (best, least) = (4 * batch + lane, squared);
+                }
+            }
+        }
+        (best, least)
+    }
 }
 
 impl FourTriangles {

@@ -48,7 +48,7 @@ pub use flat_folds::flat_folds;
 
 use glam::DVec3;
 
-use assign::{CutPiece, MeasuredPoints, PieceAssigner, TrianglePlane};
+use assign::{CutPiece, MAX_DISTANCES, MeasuredPoints, PieceAssigner, TrianglePlane};
 use floor::Floor;
 use pieces::{NONE, Pieces};
 use polygon::{Polygon, WHOLE};
@@ -289,6 +289,9 @@ impl Cover {
 
     /// Measures and assigns all gathered pieces.
     fn assign_all(&mut self) {
+        if self.proposal.gathered.len().saturating_mul(self.proposal.floor.len()) > MAX_DISTANCES {
+            return self.assign_wholes();
+        }
         self.measure();
         let Proposal { gathered, polygons, corner_points, wholes, parts, squared_bounds, .. } =
             &mut self.proposal;
@@ -316,6 +319,24 @@ impl Cover {
                     polygon => parts.push((piece.triangle, face as u32, polygon)),
                 }
             });
+        }
+    }
+
+    /// Assigns each piece to the face of the floor that is nearest to all of it, without cutting any: a star of ten
+    /// thousand triangles has too many distances to keep.
+    fn assign_wholes(&mut self) {
+        let Proposal { gathered, polygons, wholes, parts, squared_bounds, .. } = &mut self.proposal;
+        for piece in gathered {
+            let polygon = polygons.get(piece.polygon as usize);
+            let corners = polygon.map_or(&WHOLE[..], |polygon| polygon.corners());
+            let plane = plane(&self.positions, self.origin, self.triangles[piece.triangle as usize]);
+            let points: Vec<DVec3> = corners.iter().map(|&corner| plane.at(corner)).collect();
+            let (face, squared) = self.assigner.floor.best(&points);
+            squared_bounds[face] = squared_bounds[face].max(squared);
+            match polygon {
+                Some(&polygon) => parts.push((piece.triangle, face as u32, polygon)),
+                None => wholes.push((piece.triangle, face as u32)),
+            }
         }
     }
 
