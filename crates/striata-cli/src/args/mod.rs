@@ -153,8 +153,8 @@ pub(crate) struct BaseArgs {
     /// Fail and write nothing if --base cannot be reached
     #[arg(long, requires = "base", help_heading = BASE)]
     pub strict: bool,
-    /// Guarantee that no point of the original is farther from a level (mesh units, or % of the diagonal); the
-    /// errors of paged files are estimates
+    /// No point of the original is farther from a level (mesh units, or % of the diagonal); guaranteed, except that
+    /// the errors of paged files are estimates
     #[arg(long, value_name = "DISTANCE", allow_negative_numbers = true, help_heading = BASE)]
     pub max_error: Option<Length>,
 }
