@@ -108,7 +108,9 @@ impl GltfBuilder {
                 .collect();
             let name = &alike[0].0.name;
             let mut node = json!({ "mesh": meshes.len });
-            if mesh.origin != [0.0; 3] {
+            if options.z_up {
+                node["matrix"] = json!(from_z_up(mesh.origin).as_flattened());
+            } else if mesh.origin != [0.0; 3] {
                 node["translation"] = json!(mesh.origin);
             }
             let mut entry = json!({ "primitives": primitives });
@@ -195,6 +197,11 @@ impl GltfBuilder {
             value["uri"] = json!(image.uri);
         }
     }
+}
+
+/// Columns of the matrix that moves positions to their origin and then turns the z axis to the y axis.
+fn from_z_up([x, y, z]: [f64; 3]) -> [[f64; 4]; 4] {
+    [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, 0.0], [x, z, 0.0 - y, 1.0]]
 }
 
 /// Adds materials, textures and samplers, and returns the extensions that they use.

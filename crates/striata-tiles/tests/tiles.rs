@@ -1,0 +1,281 @@
+//! Tilesets of many meshes: valid trees, and no cracks within a level or between levels.
+
+mod tileset;
+
+use std::collections::BTreeMap;
+use std::fs;
+
+use proptest::prelude::*;
+use striata::ignore_progress;
+use striata::mesh::{AttributeLayer, IndexedMesh, Material, Semantic, TriangleGroup, shapes};
+use striata_paged::PagedFile;
+use striata_testing::meshes::{nasty, two_sided};
+use striata_tiles::{TileFormat, TilesError, TilesOptions, Up, write_tiles};
+use tileset::{Point, Tileset, built, tiled};
+
+fn options(tile_triangles: u64) -> TilesOptions {
+    let mut options = TilesOptions::default();
+    (options.tile_triangles, options.shading) = (tile_triangles, false);
+    options
+}
+
+fn terrain(size: u32) -> IndexedMesh {
+    shapes::height_field(size, size, |x, y| {
+        let (x, y) = (f64::from(x), f64::from(y));
+        (4.0 * (x * 0.11).sin() * (y * 0.07).cos() + 0.6 * (0.9 * x + 0.4 * y).sin()) as f32
+    })
+}
+
+#[test]
+fn a_terrain_has_a_tree_without_cracks() {
+    let set = tiled(&terrain(120), &options(1000));
+    set.check();
+    assert_eq!(set.levels().len(), 4);
+    assert_eq!(set.report.levels.last().unwrap().tiles, 1);
+    assert!(set.report.levels[0].tiles > 40, "{:?}", set.report);
+    for level in set.levels() {
+        // Nothing but the four sides is open.
+        let open = set.open_edges(level);
+        let side = |points: &[Point; 2]| {
+            (0..2).any(|a| [0.0, 119.0].iter().any(|&x| points.iter().all(|p| (p[a] - x).abs() < 0.01)))
+        };
+        assert!(open.iter().all(side), "level {level}: {:?}", open.iter().find(|edge| !side(edge)));
+        assert!(open.len() >= 4);
+    }
+}
+
+#[test]
+fn a_closed_surface_has_no_open_edge_at_any_level() {
+    for mesh in [shapes::torus(80, 60, 1.0, 0.4), shapes::icosphere(5, 3.0)] {
+        let set = tiled(&mesh, &options(500));
+        set.check();
+        assert!(set.levels().len() >= 3);
+        for level in set.levels() {
+            assert!(set.open_edges(level).is_empty(), "level {level}");
+        }
+    }
+}
+
+#[test]
+fn gaps_between_levels_are_a_sixteenth_of_the_error() {
+    let set = tiled(&terrain(160), &options(400));
+    let levels = set.report.levels.clone();
+    let mut largest = 0.0f64;
+    for level in 1..levels.len() - 1 {
+        let (fine, coarse) = (set.sections(level - 1), set.sections(level));
+        let mut plane_count = 0;
+        for (plane, line) in &coarse {
+            let gap = tileset::gap(line, &fine[plane]);
+            let allowed = levels[level].error / 16.0 + set.report.step * f64::from(1 << level);
+            assert!(gap <= allowed, "level {level}, {plane:?}: gap {gap}, allowed {allowed}");
+            largest = largest.max(gap / levels[level].error);
+            plane_count += 1;
+        }
+        assert!(plane_count >= 2);
+    }
+    assert!(largest > 0.0, "nothing was measured");
+}
+
+#[test]
+fn the_finest_tiles_are_the_input() {
+    let mesh = terrain(90);
+    let set = tiled(&mesh, &options(500));
+    let half = 0.75f64.sqrt() * set.report.step;
+    let points: Vec<Point> = set.tiles.iter().filter(|tile| tile.level == 0).flat_map(|tile| tile.points()).collect();
+    for p in &mesh.positions {
+        let p = p.map(f64::from);
+        let distance = |q: &Point| (0..3).map(|a| (p[a] - q[a]).powi(2)).sum::<f64>();
+        let nearest = points.iter().map(distance).fold(f64::INFINITY, f64::min).sqrt();
+        assert!(nearest <= half * 1.0001, "{p:?}: {nearest} > {half}");
+    }
+    let area: f64 = set.tiles.iter().filter(|tile| tile.level == 0).map(|tile| tile.area_in_plan()).sum();
+    assert!((area - 89.0 * 89.0).abs() < 0.01, "{area}");
+}
+
+#[test]
+fn all_formats_have_the_same_triangles() {
+    let mesh = shapes::torus(60, 40, 1.0, 0.4);
+    let soups: Vec<_> = [TileFormat::Float, TileFormat::Quantized, TileFormat::Meshopt, TileFormat::Draco]
+        .into_iter()
+        .map(|format| {
+            let mut options = options(800);
+            options.format = format;
+            let set = tiled(&mesh, &options);
+            set.check();
+            let of = |tile: &tileset::ReadTile| ((tile.level, tile.cell), tile.soup());
+            let soups: BTreeMap<_, _> = set.tiles.iter().map(of).collect();
+            (soups, set.report.bytes)
+        })
+        .collect();
+    for (soup, _) in &soups[1..] {
+        assert!(*soup == soups[0].0);
+    }
+    assert!(soups[3].1 * 2 < soups[1].1 && soups[1].1 < soups[0].1, "{:?}", soups.iter().map(|s| s.1).collect::<Vec<_>>());
+}
+
+#[test]
+fn attributes_and_materials_are_kept() {
+    let mut mesh = terrain(60);
+    let colors = mesh.positions.iter().flat_map(|p| [p[0] / 59.0, p[1] / 59.0, 0.5]).collect();
+    mesh.layers.push(AttributeLayer::from_f32(Semantic::Color(0), 3, colors));
+    mesh.layers.insert(0, AttributeLayer::from_f32(Semantic::Normal, 3, [0.0, 0.6, 0.8].repeat(3600)));
+    let half = mesh.triangles.len() as u32 / 2;
+    let textured = r#"{"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicFactor":0.25}}"#;
+    mesh.appearance.materials = vec![
+        Material { name: "grass".into(), gltf_json: "{}".into() },
+        Material { name: "rock".into(), gltf_json: textured.into() },
+    ];
+    mesh.appearance.textures_json = vec![r#"{"source":0}"#.into()];
+    mesh.appearance.images = vec![striata::mesh::Image { name: "photo".into(), uri: "photo.png".into(), ..Default::default() }];
+    let group = |first, material| TriangleGroup { name: String::new(), material: Some(material), first, count: half };
+    mesh.groups = vec![group(0, 0), group(half, 1)];
+    let set = tiled(&mesh, &options(300));
+    assert_eq!(set.report.warnings, ["tiles have no textures: 1 images are left out, the first is photo"]);
+    let mut names = std::collections::BTreeSet::new();
+    for tile in &set.tiles {
+        let color = tile.mesh.layers.iter().find(|layer| layer.semantic == Semantic::Color(0)).expect("colors");
+        for (v, p) in tile.points().iter().enumerate() {
+            // Colors are linear in the plane, so cutting keeps them linear.
+            let error = (0..2).map(|a| (f64::from(color.get(v, a)) - p[a] / 59.0).abs()).fold(0.0, f64::max);
+            assert!(error < 2e-3, "{p:?}: {error}");
+        }
+        assert!(tile.mesh.layers.iter().any(|layer| layer.semantic == Semantic::Normal));
+        for material in &tile.mesh.appearance.materials {
+            names.insert(material.name.clone());
+            assert!(!material.gltf_json.contains("Texture"), "{}", material.gltf_json);
+        }
+        assert!(tile.mesh.appearance.images.is_empty());
+    }
+    assert_eq!(names.into_iter().collect::<Vec<_>>(), ["grass", "rock"]);
+}
+
+#[test]
+fn the_axis_that_is_up_becomes_z() {
+    // Higher than wide, so y is up, and its octree is that of a mesh whose z is up.
+    let mut mesh = shapes::torus(40, 40, 1.0, 0.4);
+    mesh.positions.iter_mut().for_each(|p| *p = [p[0], p[1] * 3.0, p[2]]);
+    let set = tiled(&mesh, &options(500));
+    assert_eq!(set.report.up, "y");
+    let [low, high] = set.bounds();
+    assert!(high[2] - low[2] > 2.0 * (high[0] - low[0]), "{low:?} {high:?}");
+    let turned = {
+        let mut mesh = mesh.clone();
+        mesh.positions.iter_mut().for_each(|p| *p = [p[0], -p[2], p[1]]);
+        let mut options = options(500);
+        options.up = Some(Up::Z);
+        tiled(&mesh, &options)
+    };
+    let [other_low, other_high] = turned.bounds();
+    for a in 0..3 {
+        assert!((low[a] - other_low[a]).abs() < 1e-3 && (high[a] - other_high[a]).abs() < 1e-3);
+    }
+}
+
+#[test]
+fn skirts_hang_below_the_borders_of_a_terrain() {
+    let mut options = options(1000);
+    let plain = tiled(&terrain(90), &options);
+    options.has_skirts = true;
+    let set = tiled(&terrain(90), &options);
+    set.check();
+    for (with, without) in set.tiles.iter().zip(&plain.tiles) {
+        assert!((with.area_in_plan() - without.area_in_plan()).abs() < 1e-6);
+        let is_root = set.report.levels.len() == with.level as usize + 1;
+        assert_eq!(with.mesh.triangles.len() > without.mesh.triangles.len(), !is_root);
+    }
+    let (_folder, mut file) = built(&shapes::icosphere(3, 1.0));
+    let output = _folder.path().join("tiles");
+    let refused = write_tiles(&mut file, &output, &options, &mut ignore_progress);
+    assert!(matches!(refused, Err(TilesError::Skirts { .. })));
+    assert!(!output.exists());
+}
+
+#[test]
+fn only_a_tileset_of_striata_is_replaced() {
+    let (folder, mut file) = built(&shapes::torus(10, 10, 1.0, 0.4));
+    let output = folder.path().join("tiles");
+    let mut write = |path| write_tiles(&mut file, path, &options(1000), &mut ignore_progress);
+    write(&output).unwrap();
+    fs::write(output.join("old"), "").unwrap();
+    write(&output).unwrap();
+    assert!(!output.join("old").exists(), "the old folder is replaced as a whole");
+    fs::write(output.join("tileset.json"), r#"{"asset":{"generator":"another"}}"#).unwrap();
+    let text = write(&output).unwrap_err().to_string();
+    assert!(text.ends_with("it is a folder, but no tileset of striata"), "{text}");
+    let taken = folder.path().join("file");
+    fs::write(&taken, "mine").unwrap();
+    assert!(matches!(write(&taken), Err(TilesError::Place { .. })));
+    assert_eq!(fs::read(&taken).unwrap(), b"mine");
+    let archive = folder.path().join("a.3tz");
+    write(&archive).unwrap();
+    let first = fs::read(&archive).unwrap();
+    write(&archive).unwrap();
+    assert!(fs::read(&archive).unwrap() == first, "the same tiles are the same bytes");
+    let stopped = write_tiles(&mut file, &folder.path().join("no"), &options(1000), &mut |_| {
+        std::ops::ControlFlow::Break(())
+    });
+    assert!(matches!(stopped, Err(TilesError::Cancelled(_))));
+    let left: Vec<_> = fs::read_dir(folder.path()).unwrap().map(|file| file.unwrap().file_name()).collect();
+    assert!(left.iter().all(|name| !name.to_string_lossy().starts_with(".striata")), "{left:?}");
+}
+
+#[test]
+fn results_do_not_depend_on_pages_in_memory() {
+    let (folder, file) = built(&terrain(120));
+    let name = file.name().to_owned();
+    let read = |max_vertices: u64, name_of_output: &str| {
+        let mut file = PagedFile::open(&name).unwrap().with_max_vertices(max_vertices);
+        let output = folder.path().join(name_of_output);
+        write_tiles(&mut file, &output, &options(1000), &mut ignore_progress).unwrap();
+        fs::read(output).unwrap()
+    };
+    assert!(read(0, "few.3tz") == read(10_000_000, "all.3tz"));
+}
+
+#[test]
+fn nasty_meshes_become_valid_tilesets() {
+    for (name, mesh) in nasty() {
+        let Some((_folder, mut file)) = tileset::try_built(&mesh) else { continue };
+        for tile_triangles in [1, 50] {
+            let output = _folder.path().join("tiles");
+            match write_tiles(&mut file, &output, &options(tile_triangles), &mut ignore_progress) {
+                Ok(report) => Tileset::read(&output, report).check(),
+                Err(error) => assert!(matches!(error, TilesError::Empty { .. }), "{name}: {error}"),
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// Sheets with two sides, far away, tiny, or with vertices exactly on planes.
+    #[test]
+    fn levels_of_sheets_are_closed_inside(
+        size in 2u32..24,
+        shift in prop::sample::select(vec![0.0f32, 4096.0, -1e6]),
+        scale in prop::sample::select(vec![1.0f32, 0.25, 1e-12]),
+        tile_triangles in 2u64..200,
+        is_two_sided in any::<bool>(),
+        seed in 0u32..1000,
+    ) {
+        // Whole numbers, so that coordinates stay exact and vertices lie on planes.
+        let height = |x: u32, y: u32| ((x * 7 + y * 13 + seed) % 5) as f32;
+        let mut mesh = shapes::height_field(size, size, height);
+        mesh.positions.iter_mut().for_each(|p| *p = p.map(|x| x * scale + shift));
+        let mesh = if is_two_sided { two_sided(mesh) } else { mesh };
+        prop_assume!(shift == 0.0 || scale == 1.0);
+        let set = tiled(&mesh, &options(tile_triangles));
+        set.check();
+        let end = f64::from(size - 1) * f64::from(scale);
+        for level in set.levels() {
+            let step = set.report.step * f64::from(1u32 << level);
+            let is_side = |edge: &[Point; 2]| (0..2).any(|a| [0.0, end].iter().any(|x| {
+                edge.iter().all(|p| (p[a] - f64::from(shift) - x).abs() <= step)
+            }));
+            for edge in set.open_edges(level) {
+                prop_assert!(is_side(&edge), "level {level}: {edge:?}");
+            }
+        }
+    }
+}
