@@ -40,7 +40,8 @@ use striata_paged::{Metadata, PagedError, PagedFile, StepTiers};
 
 pub use lattice::Up;
 use lattice::{Block, Cell, Lattice, Level, level_count, levels, likely_up};
-use sink::{Sink, check_place};
+use sink::Sink;
+pub use sink::check_output;
 use tile_mesh::{LevelMesh, TileMesh};
 use tileset::{Tile, Tree, path_of, turned};
 
@@ -197,7 +198,7 @@ pub fn write_tiles(
     options: &TilesOptions,
     progress: &mut ProgressFn<'_>,
 ) -> Result<TilesReport, TilesError> {
-    check_place(output)?;
+    check_output(output)?;
     let metadata = file.metadata().clone();
     let name = file.name().to_owned();
     if metadata.triangle_count == 0 {

@@ -31,8 +31,11 @@ fn is_archive(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("3tz"))
 }
 
-/// Checks that nothing is there but a tileset that may be replaced.
-pub(crate) fn check_place(path: &Path) -> Result<(), TilesError> {
+/// Checks that nothing is at the place of a tileset but one that may be replaced.
+///
+/// # Errors
+/// [`TilesError::Place`] with the reason.
+pub fn check_output(path: &Path) -> Result<(), TilesError> {
     let refused = |reason| Err(TilesError::Place { path: path.to_owned(), reason });
     let Ok(there) = fs::metadata(path) else { return Ok(()) };
     match (is_archive(path), there.is_dir()) {

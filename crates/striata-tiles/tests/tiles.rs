@@ -37,7 +37,7 @@ fn a_terrain_has_a_tree_without_cracks() {
         // Nothing but the four sides is open.
         let open = set.open_edges(level);
         let side = |points: &[Point; 2]| {
-            (0..2).any(|a| [0.0, 119.0].iter().any(|&x| points.iter().all(|p| (p[a] - x).abs() < 0.01)))
+            (0..2).any(|a| [0.0, 120.0].iter().any(|&x| points.iter().all(|p| (p[a] - x).abs() < 0.01)))
         };
         assert!(open.iter().all(side), "level {level}: {:?}", open.iter().find(|edge| !side(edge)));
         assert!(open.len() >= 4);
@@ -81,7 +81,8 @@ fn the_finest_tiles_are_the_input() {
     let mesh = terrain(90);
     let set = tiled(&mesh, &options(500));
     let half = 0.75f64.sqrt() * set.report.step;
-    let points: Vec<Point> = set.tiles.iter().filter(|tile| tile.level == 0).flat_map(|tile| tile.points()).collect();
+    let points: Vec<Point> =
+        set.tiles.iter().filter(|tile| tile.level == 0).flat_map(|tile| tile.points()).collect();
     for p in &mesh.positions {
         let p = p.map(f64::from);
         let distance = |q: &Point| (0..3).map(|a| (p[a] - q[a]).powi(2)).sum::<f64>();
@@ -89,7 +90,7 @@ fn the_finest_tiles_are_the_input() {
         assert!(nearest <= half * 1.0001, "{p:?}: {nearest} > {half}");
     }
     let area: f64 = set.tiles.iter().filter(|tile| tile.level == 0).map(|tile| tile.area_in_plan()).sum();
-    assert!((area - 89.0 * 89.0).abs() < 0.01, "{area}");
+    assert!((area - 90.0 * 90.0).abs() < 0.01, "{area}");
 }
 
 #[test]
@@ -110,15 +111,19 @@ fn all_formats_have_the_same_triangles() {
     for (soup, _) in &soups[1..] {
         assert!(*soup == soups[0].0);
     }
-    assert!(soups[3].1 * 2 < soups[1].1 && soups[1].1 < soups[0].1, "{:?}", soups.iter().map(|s| s.1).collect::<Vec<_>>());
+    assert!(
+        soups[3].1 * 2 < soups[1].1 && soups[1].1 < soups[0].1,
+        "{:?}",
+        soups.iter().map(|s| s.1).collect::<Vec<_>>()
+    );
 }
 
 #[test]
 fn attributes_and_materials_are_kept() {
     let mut mesh = terrain(60);
-    let colors = mesh.positions.iter().flat_map(|p| [p[0] / 59.0, p[1] / 59.0, 0.5]).collect();
+    let colors = mesh.positions.iter().flat_map(|p| [p[0] / 60.0, p[1] / 60.0, 0.5]).collect();
     mesh.layers.push(AttributeLayer::from_f32(Semantic::Color(0), 3, colors));
-    mesh.layers.insert(0, AttributeLayer::from_f32(Semantic::Normal, 3, [0.0, 0.6, 0.8].repeat(3600)));
+    mesh.layers.insert(0, AttributeLayer::from_f32(Semantic::Normal, 3, [0.0, 0.6, 0.8].repeat(3721)));
     let half = mesh.triangles.len() as u32 / 2;
     let textured = r#"{"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicFactor":0.25}}"#;
     mesh.appearance.materials = vec![
@@ -126,17 +131,20 @@ fn attributes_and_materials_are_kept() {
         Material { name: "rock".into(), gltf_json: textured.into() },
     ];
     mesh.appearance.textures_json = vec![r#"{"source":0}"#.into()];
-    mesh.appearance.images = vec![striata::mesh::Image { name: "photo".into(), uri: "photo.png".into(), ..Default::default() }];
-    let group = |first, material| TriangleGroup { name: String::new(), material: Some(material), first, count: half };
+    mesh.appearance.images =
+        vec![striata::mesh::Image { name: "photo".into(), uri: "photo.png".into(), ..Default::default() }];
+    let group =
+        |first, material| TriangleGroup { name: String::new(), material: Some(material), first, count: half };
     mesh.groups = vec![group(0, 0), group(half, 1)];
     let set = tiled(&mesh, &options(300));
     assert_eq!(set.report.warnings, ["tiles have no textures: 1 images are left out, the first is photo"]);
     let mut names = std::collections::BTreeSet::new();
     for tile in &set.tiles {
-        let color = tile.mesh.layers.iter().find(|layer| layer.semantic == Semantic::Color(0)).expect("colors");
+        let color =
+            tile.mesh.layers.iter().find(|layer| layer.semantic == Semantic::Color(0)).expect("colors");
         for (v, p) in tile.points().iter().enumerate() {
             // Colors are linear in the plane, so cutting keeps them linear.
-            let error = (0..2).map(|a| (f64::from(color.get(v, a)) - p[a] / 59.0).abs()).fold(0.0, f64::max);
+            let error = (0..2).map(|a| (f64::from(color.get(v, a)) - p[a] / 60.0).abs()).fold(0.0, f64::max);
             assert!(error < 2e-3, "{p:?}: {error}");
         }
         assert!(tile.mesh.layers.iter().any(|layer| layer.semantic == Semantic::Normal));
@@ -152,7 +160,7 @@ fn attributes_and_materials_are_kept() {
 #[test]
 fn the_axis_that_is_up_becomes_z() {
     // Higher than wide, so y is up, and its octree is that of a mesh whose z is up.
-    let mut mesh = shapes::torus(40, 40, 1.0, 0.4);
+    let mut mesh = shapes::icosphere(4, 1.0);
     mesh.positions.iter_mut().for_each(|p| *p = [p[0], p[1] * 3.0, p[2]]);
     let set = tiled(&mesh, &options(500));
     assert_eq!(set.report.up, "y");
@@ -236,7 +244,7 @@ fn results_do_not_depend_on_pages_in_memory() {
 fn nasty_meshes_become_valid_tilesets() {
     for (name, mesh) in nasty() {
         let Some((_folder, mut file)) = tileset::try_built(&mesh) else { continue };
-        for tile_triangles in [1, 50] {
+        for tile_triangles in [20, 100] {
             let output = _folder.path().join("tiles");
             match write_tiles(&mut file, &output, &options(tile_triangles), &mut ignore_progress) {
                 Ok(report) => Tileset::read(&output, report).check(),
@@ -247,7 +255,7 @@ fn nasty_meshes_become_valid_tilesets() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
 
     /// Sheets with two sides, far away, tiny, or with vertices exactly on planes.
     #[test]
@@ -265,9 +273,11 @@ proptest! {
         mesh.positions.iter_mut().for_each(|p| *p = p.map(|x| x * scale + shift));
         let mesh = if is_two_sided { two_sided(mesh) } else { mesh };
         prop_assume!(shift == 0.0 || scale == 1.0);
-        let set = tiled(&mesh, &options(tile_triangles));
+        let mut options = options(tile_triangles);
+        options.up = Some(Up::Z);
+        let set = tiled(&mesh, &options);
         set.check();
-        let end = f64::from(size - 1) * f64::from(scale);
+        let end = f64::from(size) * f64::from(scale);
         for level in set.levels() {
             let step = set.report.step * f64::from(1u32 << level);
             let is_side = |edge: &[Point; 2]| (0..2).any(|a| [0.0, end].iter().any(|x| {

@@ -38,7 +38,8 @@ pub(crate) fn try_built(mesh: &IndexedMesh) -> Option<(TempDir, PagedFile)> {
     let work = folder.path().join("work");
     let options = BuildOptions { cell: 2000, exact: true, ..BuildOptions::default() };
     let paths = BuildPaths { output: &output, folder: &work };
-    let plan = PagedPlan::make(BuildInput::Files(vec![input]), options, paths, 1, &mut ignore_progress).ok()?;
+    let plan =
+        PagedPlan::make(BuildInput::Files(vec![input]), options, paths, 1, &mut ignore_progress).ok()?;
     run_all(&plan, 1, &mut ignore_progress).ok()?;
     plan.remove_work().unwrap();
     let file = PagedFile::open(output.to_str().unwrap()).unwrap();
@@ -58,7 +59,8 @@ pub(crate) fn tiled(mesh: &IndexedMesh, options: &TilesOptions) -> Tileset {
 
 /// Center and half axes of a box.
 fn corners_of(value: &Value) -> [Point; 2] {
-    let x: Vec<f64> = value["boundingVolume"]["box"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
+    let x: Vec<f64> =
+        value["boundingVolume"]["box"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
     let half = [x[3], x[7], x[11]];
     assert_eq!(x[4..7], [0.0; 3]);
     [[0, 1, 2].map(|a| x[a] - half[a]), [0, 1, 2].map(|a| x[a] + half[a])]
@@ -145,7 +147,8 @@ impl Tileset {
         let mut tiles = Vec::new();
         for level in 0..report.levels.len() as u32 {
             let Ok(files) = fs::read_dir(folder.join(level.to_string())) else { continue };
-            let mut names: Vec<String> = files.map(|file| file.unwrap().file_name().into_string().unwrap()).collect();
+            let mut names: Vec<String> =
+                files.map(|file| file.unwrap().file_name().into_string().unwrap()).collect();
             names.sort();
             for name in names.iter().filter_map(|name| name.strip_suffix(".glb")) {
                 let cell: Vec<i64> = name.split('_').map(|x| x.parse().unwrap()).collect();
