@@ -41,6 +41,8 @@ pub struct StepTiers {
     pages: Vec<PageTiers>,
     /// Number of steps of each tier.
     counts: Vec<u64>,
+    /// For each axis, whether a triangle faces against it, and whether one faces along it.
+    facings: [[bool; 2]; 3],
 }
 
 #[derive(Clone, Debug, Default)]
@@ -57,6 +59,7 @@ struct FoundTiers {
     own: PageTiers,
     /// Page, position and tier of what it needs.
     needed: Vec<(u32, u32, u8)>,
+    facings: [[bool; 2]; 3],
 }
 
 impl StepTiers {
@@ -78,6 +81,11 @@ impl StepTiers {
         }
     }
 
+    /// Whether no triangle turns over, seen along an axis.
+    pub fn is_height_field(&self, axis: usize) -> bool {
+        self.facings[axis][0] != self.facings[axis][1]
+    }
+
     /// Tier 0 only has steps without any error.
     fn tier_of(&self, error: f32) -> u8 {
         let bits = i64::from(error.to_bits() >> DROPPED_BITS) - self.first;
@@ -87,6 +95,7 @@ impl StepTiers {
     fn find(&self, loaded: &LoadedPages<'_>, slot: u32) -> FoundTiers {
         let page = loaded.page(slot);
         let mut surface = PageSurface::new(loaded, slot);
+        let facings = surface.facings();
         let mut tiers = self.pages[loaded.index_of(slot) as usize].tiers.clone();
         let owned = tiers.len();
         tiers.resize(surface.node_count(), 0);
@@ -110,7 +119,7 @@ impl StepTiers {
         }
         tiers.truncate(owned);
         let largest = tiers.iter().copied().max().unwrap_or(0);
-        FoundTiers { own: PageTiers { tiers, largest, bounds: surface.bounds() }, needed }
+        FoundTiers { own: PageTiers { tiers, largest, bounds: surface.bounds() }, needed, facings }
     }
 }
 
@@ -129,7 +138,8 @@ impl PagedFile {
         let entries = self.reader().entries();
         let page = |count: u32| PageTiers { tiers: vec![0; count as usize], ..PageTiers::default() };
         let pages = entries.map(|(_, entry)| page(entry.position_count)).collect();
-        let mut tiers = StepTiers { first, pages, counts: vec![0; LARGEST as usize + 1] };
+        let mut tiers =
+            StepTiers { first, pages, counts: vec![0; LARGEST as usize + 1], facings: Default::default() };
         let level_of = |file: &Self, page: u32| file.reader().entry(page).map(|entry| entry.id.level);
         let levels: Vec<Vec<u32>> =
             all.chunk_by(|&a, &b| level_of(self, a) == level_of(self, b)).map(<[u32]>::to_vec).collect();
@@ -142,7 +152,12 @@ impl PagedFile {
                         .collect();
                     map_in_parallel(&slots, |&slot| (loaded.index_of(slot), tiers.find(loaded, slot)))
                 })?;
-                for (index, FoundTiers { own, needed }) in found {
+                for (index, FoundTiers { own, needed, facings }) in found {
+                    for (known, facing) in
+                        tiers.facings.as_flattened_mut().iter_mut().zip(facings.as_flattened())
+                    {
+                        *known |= facing;
+                    }
                     if index > 0 {
                         own.tiers.iter().for_each(|&tier| tiers.counts[tier as usize] += 1);
                     }

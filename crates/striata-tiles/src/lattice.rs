@@ -70,59 +70,87 @@ pub(crate) struct Block<'a> {
     pub cells: [Cell; 2],
 }
 
-/// The axis that is up if nobody says: z for a terrain and for what is flat along z.
-pub(crate) fn likely_up(metadata: &Metadata) -> Up {
-    let extent = extents(metadata);
-    let is_flat = extent[2] * FLAT <= extent[0].max(extent[1]) && extent[2] <= extent[1];
-    if metadata.georeference.is_some() || is_flat { Up::Z } else { Up::Y }
+/// How the cells of tiles are chosen.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Shape {
+    pub up: Up,
+    /// Axes along which tiles are divided: not the axis that is up for terrains and for what is flat.
+    pub is_divided: [bool; 3],
+}
+
+impl Shape {
+    /// The shape of a mesh whose axis that is up may be known. It is z for what has a georeference, for a height
+    /// field and for what is flat along z.
+    pub(crate) fn of(metadata: &Metadata, tiers: &StepTiers, up: Option<Up>) -> Self {
+        let extent = extents(metadata);
+        let is_flat = |axis: usize| {
+            let across = (0..3).filter(|&a| a != axis).map(|a| extent[a]).fold(0.0, f64::max);
+            tiers.is_height_field(axis)
+                || extent[axis] * FLAT <= across && extent.iter().all(|x| extent[axis] <= *x)
+        };
+        let is_georeferenced = metadata.georeference.is_some();
+        let up = up.unwrap_or(if is_georeferenced || is_flat(2) { Up::Z } else { Up::Y });
+        let axis = if up == Up::Y { 1 } else { 2 };
+        let is_terrain = is_georeferenced && up == Up::Z || is_flat(axis);
+        Self { up, is_divided: [0, 1, 2].map(|a| !(is_terrain && a == axis)) }
+    }
+
+    /// Number of tiles of a level, about, that many levels below the coarsest.
+    fn tile_count(&self, metadata: &Metadata, depth: u32) -> f64 {
+        let extent = extents(metadata);
+        let side =
+            (0..3).filter(|&a| self.is_divided[a]).map(|a| extent[a]).fold(f64::MIN_POSITIVE, f64::max);
+        let [x, y, z] = extent.map(|x| (x / side).max(1.0 / 1024.0));
+        let (cells, of_surface) = match self.is_divided {
+            [true, true, true] => (8f64, 1.5 * (x * y + y * z + z * x)),
+            [true, true, false] => (4.0, x * y),
+            _ => (4.0, x * z),
+        };
+        cells.powi(depth as i32).min((4f64.powi(depth as i32) * of_surface).max(1.0))
+    }
+
+    /// Number of levels above the finest, so that its tiles have about `tile_triangles` triangles.
+    pub(crate) fn level_count(&self, metadata: &Metadata, tile_triangles: u64) -> u32 {
+        let tiles = metadata.triangle_count as f64 / tile_triangles.max(1) as f64;
+        (0..MAX_LEVEL).find(|&depth| self.tile_count(metadata, depth) >= tiles).unwrap_or(MAX_LEVEL)
+    }
+
+    /// The levels, finest first: each has about a quarter of the triangles of the one before.
+    pub(crate) fn levels(
+        &self,
+        metadata: &Metadata,
+        tiers: &StepTiers,
+        base_triangle_count: u64,
+        tile_triangles: u64,
+    ) -> Vec<Level> {
+        let base = base_triangle_count as f64;
+        let removable = metadata.triangle_count as f64 - base;
+        let all = tiers.step_count_from(0).max(1) as f64;
+        let triangles_at = |tier: u16| base + removable * tiers.step_count_from(tier) as f64 / all;
+        let count = self.level_count(metadata, tile_triangles);
+        let level = |number: u32| {
+            let wanted = metadata.triangle_count as f64 / 4f64.powi(number as i32);
+            let wanted = wanted.min(self.tile_count(metadata, count - number) * tile_triangles as f64);
+            let is_enough = |tier: &u16| triangles_at(*tier) <= wanted;
+            let tier = match number {
+                0 => 0,
+                _ => (1..StepTiers::NONE).find(is_enough).unwrap_or(StepTiers::NONE),
+            };
+            let border_tier = tier.saturating_sub(StepTiers::PER_SIXTEENTH);
+            Level { tier, border_tier, error: tiers.error_below(tier).into() }
+        };
+        (0..=count).map(level).collect()
+    }
 }
 
 fn extents(metadata: &Metadata) -> [f64; 3] {
     [0, 1, 2].map(|a| f64::from(metadata.max[a]) - f64::from(metadata.min[a]))
 }
 
-/// Number of levels above the finest, so that tiles have about `tile_triangles` triangles.
-pub(crate) fn level_count(metadata: &Metadata, tile_triangles: u64) -> u32 {
-    let mut extent = extents(metadata);
-    extent.sort_by(f64::total_cmp);
-    // A surface covers so many of the cells of its largest side.
-    let share = (extent[1] / extent[2]).clamp(1.0 / 1024.0, 1.0);
-    let share = if share.is_nan() { 1.0 } else { share };
-    let tiles = metadata.triangle_count as f64 / tile_triangles.max(1) as f64;
-    (0..MAX_LEVEL).find(|&level| share * 4f64.powi(level as i32) >= tiles).unwrap_or(MAX_LEVEL)
-}
-
-/// The levels, finest first: each has about a quarter of the triangles of the one before.
-pub(crate) fn levels(
-    tiers: &StepTiers,
-    triangle_count: u64,
-    base_triangle_count: u64,
-    count: u32,
-) -> Vec<Level> {
-    let removable = triangle_count.saturating_sub(base_triangle_count) as f64;
-    let all = tiers.step_count_from(0).max(1) as f64;
-    let triangles_at =
-        |tier: u16| base_triangle_count as f64 + removable * tiers.step_count_from(tier) as f64 / all;
-    let level = |number: u32| {
-        let wanted = triangle_count as f64 / 4f64.powi(number as i32);
-        let tier = match number {
-            0 => 0,
-            _ => (1..StepTiers::NONE).find(|&tier| triangles_at(tier) <= wanted).unwrap_or(StepTiers::NONE),
-        };
-        let border_tier = tier.saturating_sub(StepTiers::PER_SIXTEENTH);
-        Level { tier, border_tier, error: tiers.error_below(tier).into() }
-    };
-    (0..=count).map(level).collect()
-}
-
 impl Lattice {
     /// The lattice whose coarsest tile contains the mesh.
-    pub(crate) fn new(metadata: &Metadata, up: Up, level_count: u32) -> Self {
+    pub(crate) fn new(metadata: &Metadata, is_divided: [bool; 3], level_count: u32) -> Self {
         let extent = extents(metadata);
-        let up = if up == Up::Y { 1 } else { 2 };
-        let across = (0..3).filter(|&a| a != up).map(|a| extent[a]).fold(0.0, f64::max);
-        let is_terrain = metadata.georeference.is_some() || extent[up] * FLAT <= across;
-        let is_divided = [0, 1, 2].map(|a| !(is_terrain && a == up));
         let widest = (0..3).filter(|&a| is_divided[a]).map(|a| extent[a]).fold(0.0, f64::max);
         let finest = MIN_EXPONENT + level_count as i32;
         let exponent = (exponent_of(widest) + 1 - SIDE_BITS).max(finest);
@@ -219,7 +247,7 @@ mod tests {
     use super::*;
 
     fn lattice(min: [f32; 3], max: [f32; 3], level_count: u32) -> Lattice {
-        Lattice::new(&Metadata { min, max, ..Metadata::default() }, Up::Z, level_count)
+        Lattice::new(&Metadata { min, max, ..Metadata::default() }, [true, true, false], level_count)
     }
 
     #[test]

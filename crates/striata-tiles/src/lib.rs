@@ -39,7 +39,7 @@ use striata_io::{Format, QuantizeOptions, WriteError, WriteOptions, encode_mesh,
 use striata_paged::{Metadata, PagedError, PagedFile, StepTiers};
 
 pub use lattice::Up;
-use lattice::{Block, Cell, Lattice, Level, level_count, levels, likely_up};
+use lattice::{Block, Cell, Lattice, Level, Shape};
 use sink::Sink;
 pub use sink::check_output;
 use tile_mesh::{LevelMesh, TileMesh};
@@ -72,7 +72,8 @@ pub struct TilesOptions {
     pub tile_triangles: u64,
     /// How tiles are stored; default floats.
     pub format: TileFormat,
-    /// Which axis of the mesh is up; default z for what has a georeference or is flat along z, else y.
+    /// Which axis of the mesh is up; default z for what has a georeference, is a height
+    /// field or is flat along z, else y.
     pub up: Option<Up>,
     /// Whether a georeference is ignored, so that coordinates stay those of the mesh; default no.
     pub is_local: bool,
@@ -166,7 +167,7 @@ pub enum TilesError {
         name: String,
     },
     /// Skirts were asked for, but the mesh is not flat.
-    #[error("{name}: skirts are for terrains, but this mesh is as high as it is wide")]
+    #[error("{name}: skirts are for terrains, but this mesh turns over or is as high as it is wide")]
     Skirts {
         /// The input.
         name: String,
@@ -200,13 +201,18 @@ pub fn write_tiles(
 ) -> Result<TilesReport, TilesError> {
     check_output(output)?;
     let metadata = file.metadata().clone();
-    let name = file.name().to_owned();
+    let name = metadata.source.clone();
     if metadata.triangle_count == 0 {
         return Err(TilesError::Empty { name });
     }
-    let up = options.up.unwrap_or_else(|| likely_up(&metadata));
-    let count = level_count(&metadata, options.tile_triangles);
-    let lattice = Lattice::new(&metadata, up, count);
+    let tiers = file.tiers(|done, total| {
+        Progress { phase: "read", done, total }.report(progress).map_err(TilesError::from)
+    })?;
+    let shape = Shape::of(&metadata, &tiers, options.up);
+    let up = shape.up;
+    let base = file.reader().entry(0).map_or(0, |entry| u64::from(entry.triangle_count));
+    let levels = shape.levels(&metadata, &tiers, base, options.tile_triangles);
+    let lattice = Lattice::new(&metadata, shape.is_divided, levels.len() as u32 - 1);
     if options.has_skirts && lattice.is_divided == [true; 3] {
         return Err(TilesError::Skirts { name });
     }
@@ -219,11 +225,6 @@ pub fn write_tiles(
         None => None,
     };
     let mut sink = Sink::new(output)?;
-    let tiers = file.tiers(|done, total| {
-        Progress { phase: "read", done, total }.report(progress).map_err(TilesError::from)
-    })?;
-    let base = file.reader().entry(0).map_or(0, |entry| u64::from(entry.triangle_count));
-    let levels = levels(&tiers, metadata.triangle_count, base, count);
     let mut tiler = Tiler {
         file,
         tiers: &tiers,

@@ -134,3 +134,56 @@ pub(crate) fn turned(up: Up, [x, y, z]: [f64; 3]) -> [f64; 3] {
         Up::Z => [x, y, z],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    #[test]
+    fn many_tiles_are_listed_in_several_files() {
+        let lattice = Lattice { origin: [0.0; 3], exponent: 0, side: 16, is_divided: [true, true, false] };
+        let mut tiles = BTreeMap::new();
+        for level in 0..7 {
+            for x in 0..1i64 << (6 - level) {
+                for y in 0..1i64 << (6 - level) {
+                    let side = lattice.tile_side(level);
+                    let [low, high] =
+                        [0, 1].map(|k| [(x + k) as f64 * side, (y + k) as f64 * side, k as f64]);
+                    let tile = Tile { bounds: [low, high], triangle_count: 1, byte_count: 1 };
+                    tiles.insert((level, [x, y, 0]), tile);
+                }
+            }
+        }
+        let count = tiles.len();
+        assert!(count > MOST_TILES);
+        let errors = (0..7).map(f64::from).collect();
+        let tree = Tree { lattice: &lattice, up: Up::Z, errors, tiles, extent: 100.0 };
+        let files: BTreeMap<String, Value> = tree.files([1.0; 16]).into_iter().collect();
+        assert_eq!(files.len(), 5);
+        let (mut contents, mut open) = (BTreeSet::new(), vec![("tileset.json".to_owned(), 101.0)]);
+        while let Some((path, limit)) = open.pop() {
+            let file = &files[&path];
+            assert_eq!(file["root"]["refine"], "REPLACE");
+            let folder = path.rsplit_once('/').map(|(folder, _)| folder.to_owned());
+            let mut tiles = vec![(&file["root"], limit)];
+            while let Some((tile, limit)) = tiles.pop() {
+                let error = tile["geometricError"].as_f64().unwrap();
+                assert!(error <= limit);
+                tiles.extend(tile["children"].as_array().into_iter().flatten().map(|child| (child, error)));
+                let uri = tile["content"]["uri"].as_str().unwrap();
+                let path = match &folder {
+                    Some(_) => uri.strip_prefix("../").unwrap().to_owned(),
+                    None => uri.to_owned(),
+                };
+                if path.ends_with(".json") {
+                    open.push((path, error));
+                } else {
+                    assert!(contents.insert(path));
+                }
+            }
+        }
+        assert_eq!(contents.len(), count);
+    }
+}

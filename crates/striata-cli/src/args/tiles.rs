@@ -42,7 +42,7 @@ pub(crate) struct TilesArgs {
     /// Keep the coordinates of the input, although it has a place on the Earth
     #[arg(long)]
     pub local: bool,
-    /// Axis of the input that is up: y or z [default: z if it has a place on the Earth or is flat along z, else y]
+    /// Axis of the input that is up: y or z [default: z for terrains and what is flat along z, else y]
     #[arg(long, value_name = "AXIS", hide_possible_values = true)]
     pub up: Option<UpAxis>,
     /// Work within so much memory: 4GB, 500MB

@@ -134,6 +134,21 @@ impl<'a> PageSurface<'a> {
         bounds
     }
 
+    /// For each axis, whether a triangle faces against it, and whether one faces along it.
+    pub(crate) fn facings(&self) -> [[bool; 2]; 3] {
+        let mut facings = [[false; 2]; 3];
+        for corners in &self.corners {
+            let [a, b, c] = corners.map(|v| self.points[v as usize].map(f64::from));
+            for (axis, facing) in facings.iter_mut().enumerate() {
+                let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+                let normal = (b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]);
+                facing[0] |= normal < 0.0;
+                facing[1] |= normal > 0.0;
+            }
+        }
+        facings
+    }
+
     /// Bounds of all triangles of the page, whichever of its steps are undone.
     pub(crate) fn bounds(&self) -> Option<Bounds> {
         Bounds::of(&self.points)
