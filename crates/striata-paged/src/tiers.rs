@@ -54,7 +54,7 @@ struct PageTiers {
     bounds: Option<Bounds>,
 }
 
-/// What a page adds to its own tiers and to those of coarser pages.
+/// Tiers that a page adds to its own and to those of coarser pages.
 struct FoundTiers {
     own: PageTiers,
     /// Page, position and tier of what it needs.

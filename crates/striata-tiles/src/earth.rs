@@ -7,7 +7,7 @@ use proj4rs::Proj;
 use proj4rs::transform::transform;
 use serde_json::Value;
 
-use crate::TilesError;
+use crate::error::TilesError;
 
 /// Semi-major axis of WGS 84, in meters.
 const EQUATOR: f64 = 6_378_137.0;
@@ -17,7 +17,7 @@ const FLATTENING: f64 = 1.0 / 298.257_223_563;
 /// Columns of a transform.
 pub(crate) type Matrix = [f64; 16];
 
-/// Where a mesh is, and what a linear transform leaves out.
+/// The place of a mesh, and the error of its linear transform.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct EarthPlace {
     /// From coordinates of the mesh, minus an offset, to earth-centered ones in meters.

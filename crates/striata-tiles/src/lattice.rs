@@ -38,7 +38,7 @@ pub enum Up {
 
 /// The lattice of all levels, in mesh units.
 #[derive(Clone, Debug)]
-pub(crate) struct Lattice {
+pub(crate) struct TileLattice {
     /// Position of the first lattice point.
     pub origin: [f64; 3],
     /// Base-2 logarithm of the step of level 0.
@@ -51,7 +51,7 @@ pub(crate) struct Lattice {
 
 /// A level of the tileset.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Level {
+pub(crate) struct LevelTiers {
     /// Steps of at least this tier are refined.
     pub tier: u16,
     /// Steps of at least this tier are refined if they are near a plane between tiles.
@@ -61,9 +61,9 @@ pub(crate) struct Level {
 }
 
 /// Tiles of a level that are made together, and what is refined there.
-pub(crate) struct Block<'a> {
-    pub lattice: &'a Lattice,
-    pub level: Level,
+pub(crate) struct TileBlock<'a> {
+    pub lattice: &'a TileLattice,
+    pub level: LevelTiers,
     /// Number of the level.
     pub number: u32,
     /// First tile, and one beyond the last.
@@ -72,13 +72,13 @@ pub(crate) struct Block<'a> {
 
 /// How the cells of tiles are chosen.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Shape {
+pub(crate) struct TileShape {
     pub up: Up,
     /// Axes along which tiles are divided: not the axis that is up for terrains and for what is flat.
     pub is_divided: [bool; 3],
 }
 
-impl Shape {
+impl TileShape {
     /// The shape of a mesh whose axis that is up may be known. It is z for what has a georeference, for a height
     /// field and for what is flat along z.
     pub(crate) fn of(metadata: &Metadata, tiers: &StepTiers, up: Option<Up>) -> Self {
@@ -122,7 +122,7 @@ impl Shape {
         tiers: &StepTiers,
         base_triangle_count: u64,
         tile_triangles: u64,
-    ) -> Vec<Level> {
+    ) -> Vec<LevelTiers> {
         let base = base_triangle_count as f64;
         let removable = metadata.triangle_count as f64 - base;
         let all = tiers.step_count_from(0).max(1) as f64;
@@ -137,7 +137,7 @@ impl Shape {
                 _ => (1..StepTiers::NONE).find(is_enough).unwrap_or(StepTiers::NONE),
             };
             let border_tier = tier.saturating_sub(StepTiers::PER_SIXTEENTH);
-            Level { tier, border_tier, error: tiers.error_below(tier).into() }
+            LevelTiers { tier, border_tier, error: tiers.error_below(tier).into() }
         };
         (0..=count).map(level).collect()
     }
@@ -147,7 +147,7 @@ fn extents(metadata: &Metadata) -> [f64; 3] {
     [0, 1, 2].map(|a| f64::from(metadata.max[a]) - f64::from(metadata.min[a]))
 }
 
-impl Lattice {
+impl TileLattice {
     /// The lattice whose coarsest tile contains the mesh.
     pub(crate) fn new(metadata: &Metadata, is_divided: [bool; 3], level_count: u32) -> Self {
         let extent = extents(metadata);
@@ -216,7 +216,7 @@ fn exponent_of(x: f64) -> i32 {
     if x > 0.0 { (x.to_bits() >> 52) as i32 - 1023 } else { 0 }
 }
 
-impl Block<'_> {
+impl TileBlock<'_> {
     /// Whether a step is refined, or a page contains such a step.
     pub(crate) fn wants(&self, tier: u8, bounds: &Bounds) -> bool {
         let tier = u16::from(tier);
@@ -246,8 +246,8 @@ impl Block<'_> {
 mod tests {
     use super::*;
 
-    fn lattice(min: [f32; 3], max: [f32; 3], level_count: u32) -> Lattice {
-        Lattice::new(&Metadata { min, max, ..Metadata::default() }, [true, true, false], level_count)
+    fn lattice(min: [f32; 3], max: [f32; 3], level_count: u32) -> TileLattice {
+        TileLattice::new(&Metadata { min, max, ..Metadata::default() }, [true, true, false], level_count)
     }
 
     #[test]

@@ -13,37 +13,38 @@
 //! | file | what it does |
 //! | --- | --- |
 //! | `lattice.rs` | the lattice, the planes, the levels, and what is refined in a block of tiles |
-//! | `clip.rs`, `tile_mesh.rs` | triangles cut at planes, and the mesh of a tile |
+//! | `tile_mesh.rs` | triangles cut at planes, and the mesh of a tile |
 //! | `earth.rs` | from map coordinates to earth-centered ones |
 //! | `tileset.rs`, `sink.rs` | `tileset.json`, and the folder or archive |
 //!
 //! Cost: each page is read once for the tiers and about twice for each level that needs it. Memory holds a block of
 //! about a million triangles with its pages, and a byte per position.
 
-mod clip;
 mod earth;
+mod error;
 mod lattice;
 mod sink;
 mod tile_mesh;
 mod tileset;
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use rayon::prelude::*;
 use serde::Serialize;
 use serde_json::Value;
 use striata::mesh::{Appearance, IndexedMesh};
-use striata::{Cancelled, Progress, ProgressFn};
-use striata_io::{Format, QuantizeOptions, WriteError, WriteOptions, encode_mesh, shaded};
-use striata_paged::{Metadata, PagedError, PagedFile, StepTiers};
+use striata::{Progress, ProgressFn};
+use striata_io::{Format, QuantizeOptions, WriteOptions, encode_mesh, shaded};
+use striata_paged::{Metadata, PagedFile, StepTiers};
 
+pub use error::TilesError;
 pub use lattice::Up;
-use lattice::{Block, Cell, Lattice, Level, Shape};
+use lattice::{Cell, LevelTiers, TileBlock, TileLattice, TileShape};
 use sink::Sink;
 pub use sink::check_output;
 use tile_mesh::{LevelMesh, TileMesh};
-use tileset::{Tile, Tree, path_of, turned};
+use tileset::{Tile, TileTree, path_of, turned};
 
 /// Triangles of a block of tiles that are made together, about.
 const BLOCK_TRIANGLES: u64 = 1 << 20;
@@ -96,7 +97,7 @@ impl Default for TilesOptions {
     }
 }
 
-/// What has been written.
+/// Numbers of a tileset, and remarks on it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct TilesReport {
     /// Number of tiles with a content.
@@ -134,61 +135,6 @@ pub struct TileLevel {
     pub bytes: u64,
 }
 
-/// Error of writing tiles.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum TilesError {
-    /// A page cannot be read.
-    #[error(transparent)]
-    Paged(#[from] PagedError),
-    /// A tile cannot be encoded.
-    #[error(transparent)]
-    Write(#[from] WriteError),
-    /// A file cannot be written.
-    #[error("{}: {source}", path.display())]
-    Io {
-        /// The output.
-        path: PathBuf,
-        /// Error of the system.
-        source: std::io::Error,
-    },
-    /// Something else is where the tileset should be.
-    #[error("{}: {reason}", path.display())]
-    Place {
-        /// The output.
-        path: PathBuf,
-        /// Reason in words.
-        reason: &'static str,
-    },
-    /// The mesh has no triangles.
-    #[error("{name}: the mesh has no triangles, so there are no tiles")]
-    Empty {
-        /// The input.
-        name: String,
-    },
-    /// Skirts were asked for, but the mesh is not flat.
-    #[error("{name}: skirts are for terrains, but this mesh turns over or is as high as it is wide")]
-    Skirts {
-        /// The input.
-        name: String,
-    },
-    /// The coordinate system is not known.
-    #[error("the coordinate system EPSG:{epsg} of the mesh is not known")]
-    CoordinateSystem {
-        /// The code.
-        epsg: u64,
-    },
-    /// Coordinates have no place on the Earth.
-    #[error("the mesh is outside of the coordinate system EPSG:{epsg}")]
-    OffTheMap {
-        /// The code.
-        epsg: u64,
-    },
-    /// The caller asked to stop.
-    #[error(transparent)]
-    Cancelled(#[from] Cancelled),
-}
-
 /// Writes a tileset: a folder with `tileset.json`, or an archive if the path ends in `.3tz`.
 ///
 /// # Errors
@@ -208,11 +154,11 @@ pub fn write_tiles(
     let tiers = file.tiers(|done, total| {
         Progress { phase: "read", done, total }.report(progress).map_err(TilesError::from)
     })?;
-    let shape = Shape::of(&metadata, &tiers, options.up);
+    let shape = TileShape::of(&metadata, &tiers, options.up);
     let up = shape.up;
     let base = file.reader().entry(0).map_or(0, |entry| u64::from(entry.triangle_count));
     let levels = shape.levels(&metadata, &tiers, base, options.tile_triangles);
-    let lattice = Lattice::new(&metadata, shape.is_divided, levels.len() as u32 - 1);
+    let lattice = TileLattice::new(&metadata, shape.is_divided, levels.len() as u32 - 1);
     if options.has_skirts && lattice.is_divided == [true; 3] {
         return Err(TilesError::Skirts { name });
     }
@@ -244,7 +190,8 @@ pub fn write_tiles(
         0 => 0.0,
         _ => level.error + lattice.largest_move(number),
     });
-    let tree = Tree { lattice: &lattice, up, errors: errors.collect(), tiles, extent: metadata.diagonal() };
+    let tree =
+        TileTree { lattice: &lattice, up, errors: errors.collect(), tiles, extent: metadata.diagonal() };
     let local = || {
         let [x, y, z] = turned(up, [0, 1, 2].map(|a| metadata.origin[a] + lattice.origin[a]));
         [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, x, y, z, 1.0]
@@ -257,7 +204,7 @@ pub fn write_tiles(
     Ok(report(&tree, place, warnings))
 }
 
-fn report(tree: &Tree<'_>, place: Option<earth::EarthPlace>, warnings: BTreeSet<String>) -> TilesReport {
+fn report(tree: &TileTree<'_>, place: Option<earth::EarthPlace>, warnings: BTreeSet<String>) -> TilesReport {
     let level = |(number, &error): (u32, &f64)| {
         let own = || tree.tiles.iter().filter(move |((level, _), _)| *level == number).map(|(_, tile)| tile);
         TileLevel {
@@ -302,8 +249,8 @@ fn left_out(metadata: &Metadata) -> BTreeSet<String> {
 struct Tiler<'a> {
     file: &'a mut PagedFile,
     tiers: &'a StepTiers,
-    lattice: &'a Lattice,
-    levels: &'a [Level],
+    lattice: &'a TileLattice,
+    levels: &'a [LevelTiers],
     options: &'a TilesOptions,
     up: Up,
     tiles: BTreeMap<(u32, Cell), Tile>,
@@ -358,7 +305,7 @@ impl Tiler<'_> {
     }
 
     fn write_block(&mut self, number: u32, cells: [Cell; 2], sink: &mut Sink) -> Result<(), BlockError> {
-        let block = Block { lattice: self.lattice, level: self.levels[number as usize], number, cells };
+        let block = TileBlock { lattice: self.lattice, level: self.levels[number as usize], number, cells };
         let cut = self.file.cut_tiers(self.tiers, |tier, bounds| block.wants(tier, bounds))?;
         let mesh = IndexedMesh { appearance: without_textures(cut.mesh.appearance), ..cut.mesh };
         let mesh = if self.options.shading { &*shaded(&mesh) } else { &mesh };

@@ -1,4 +1,4 @@
-//! Where files of a tileset go: a folder, or an archive of the format 3TZ.
+//! The destination of a tileset: a folder, or an archive of the format 3TZ.
 //!
 //! Both are written next to their place and renamed when they are complete.
 
@@ -13,7 +13,7 @@ use tempfile::{NamedTempFile, TempDir};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
-use crate::TilesError;
+use crate::error::TilesError;
 
 /// Last entry of an archive, by which readers find the others.
 const INDEX: &str = "@3dtilesIndex1@";

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde_json::{Value, json};
 
 use crate::earth::Matrix;
-use crate::lattice::{Cell, Lattice, Up};
+use crate::lattice::{Cell, TileLattice, Up};
 
 /// Tilesets of more tiles are divided into several files.
 const MOST_TILES: usize = 4096;
@@ -22,8 +22,8 @@ pub(crate) struct Tile {
 }
 
 /// All tiles by level and cell.
-pub(crate) struct Tree<'a> {
-    pub lattice: &'a Lattice,
+pub(crate) struct TileTree<'a> {
+    pub lattice: &'a TileLattice,
     pub up: Up,
     /// Geometric error of each level, finest first.
     pub errors: Vec<f64>,
@@ -43,7 +43,7 @@ struct Branch {
     bounds: [[f64; 3]; 2],
 }
 
-impl Tree<'_> {
+impl TileTree<'_> {
     /// All files of the tileset by path; the first is its root.
     pub(crate) fn files(&self, transform: Matrix) -> Vec<(String, Value)> {
         let top = self.errors.len() as u32 - 1;
@@ -111,7 +111,7 @@ impl Tree<'_> {
         if self.file_level(level).is_some() { format!("../{path}") } else { path }
     }
 
-    /// Level of the tile that begins the file in which tiles of a level are; `None` for the first file.
+    /// LevelTiers of the tile that begins the file in which tiles of a level are; `None` for the first file.
     fn file_level(&self, level: u32) -> Option<u32> {
         let first = level.max(1).next_multiple_of(FILE_LEVELS);
         (self.tiles.len() > MOST_TILES && first + 1 < self.errors.len() as u32).then_some(first)
@@ -143,7 +143,8 @@ mod tests {
 
     #[test]
     fn many_tiles_are_listed_in_several_files() {
-        let lattice = Lattice { origin: [0.0; 3], exponent: 0, side: 16, is_divided: [true, true, false] };
+        let lattice =
+            TileLattice { origin: [0.0; 3], exponent: 0, side: 16, is_divided: [true, true, false] };
         let mut tiles = BTreeMap::new();
         for level in 0..7 {
             for x in 0..1i64 << (6 - level) {
@@ -159,7 +160,7 @@ mod tests {
         let count = tiles.len();
         assert!(count > MOST_TILES);
         let errors = (0..7).map(f64::from).collect();
-        let tree = Tree { lattice: &lattice, up: Up::Z, errors, tiles, extent: 100.0 };
+        let tree = TileTree { lattice: &lattice, up: Up::Z, errors, tiles, extent: 100.0 };
         let files: BTreeMap<String, Value> = tree.files([1.0; 16]).into_iter().collect();
         assert_eq!(files.len(), 5);
         let (mut contents, mut open) = (BTreeSet::new(), vec![("tileset.json".to_owned(), 101.0)]);

@@ -25,7 +25,7 @@ pub(crate) use self::paged::{ByteSize, CellArgs, PagedArgs, PlanArgs, RunArgs};
 pub(crate) use self::render::{DrawnModel, PictureBackground, RenderArgs};
 pub(crate) use self::stream::{DecodeArgs, EncodeArgs};
 pub(crate) use self::strips::StripArgs;
-pub(crate) use self::tiles::{TilesArgs, UpAxis};
+pub(crate) use self::tiles::{PageBuildArgs, TilesArgs, UpAxis};
 
 /// The complete command line.
 #[derive(Debug, Parser)]

@@ -45,13 +45,21 @@ pub(crate) struct TilesArgs {
     /// Axis of the input that is up: y or z [default: z for terrains and what is flat along z, else y]
     #[arg(long, value_name = "AXIS", hide_possible_values = true)]
     pub up: Option<UpAxis>,
+    /// How the paged file is built.
+    #[command(flatten)]
+    pub build: PageBuildArgs,
+}
+
+/// How a paged file is built that only this verb reads.
+#[derive(Debug, Args)]
+pub(crate) struct PageBuildArgs {
     /// Work within so much memory: 4GB, 500MB
     #[arg(long, value_name = "SIZE")]
     pub memory: Option<ByteSize>,
     /// Threads that build the paged file [default: one per core, as far as memory allows]
     #[arg(long, value_name = "N")]
     pub threads: Option<usize>,
-    /// How the paged file is built.
+    /// How cells and positions are chosen.
     #[command(flatten)]
     pub cells: CellArgs,
 }

@@ -23,7 +23,7 @@ const VERTEX_BYTES: u64 = 60;
 const SMALL_ERROR: f64 = 0.5;
 
 #[derive(Serialize)]
-struct Report<'a> {
+struct WrittenTileset<'a> {
     output: &'a Path,
     seconds: f64,
     #[serde(flatten)]
@@ -39,7 +39,7 @@ pub(crate) fn run(args: &TilesArgs, output: &Output) -> Result<(), Failure> {
     // Reported before hours of work, not after them.
     check_output(&args.output).map_err(failure)?;
     let (pages, _work) = pages_of(args, output)?;
-    let memory = args.memory.map_or(u64::MAX, |size| size.0 / 4 / VERTEX_BYTES);
+    let memory = args.build.memory.map_or(u64::MAX, |size| size.0 / 4 / VERTEX_BYTES);
     let file = PagedFile::open(&pages.to_string_lossy()).map_err(paged::failure_of)?;
     let mut file = file.with_max_vertices(memory.min(MAX_VERTICES));
     let mut bar = output.bar();
@@ -52,7 +52,7 @@ pub(crate) fn run(args: &TilesArgs, output: &Output) -> Result<(), Failure> {
         output
             .say(&format!("note: tiles do not follow the curvature of the Earth: corners are {error} m off"));
     }
-    let report = Report { output: &args.output, seconds: start.elapsed().as_secs_f64(), tileset };
+    let report = WrittenTileset { output: &args.output, seconds: start.elapsed().as_secs_f64(), tileset };
     output.summary(&report, &text_of(&report))
 }
 
@@ -78,7 +78,7 @@ fn pages_of(args: &TilesArgs, output: &Output) -> Result<(PathBuf, Option<TempDi
     if let [path] = &args.inputs[..]
         && paged::is_paged_file(path)
     {
-        let flag = args.cells.first_given_flag().or_else(|| args.threads.map(|_| "--threads"));
+        let flag = args.build.cells.first_given_flag().or_else(|| args.build.threads.map(|_| "--threads"));
         let Some(flag) = flag else { return Ok((path.clone(), None)) };
         let message = format!("{}: {flag} has no effect on a paged file", path.display());
         return Err(Failure::usage(message).with_hint(format!("remove {flag}")));
@@ -96,7 +96,7 @@ fn pages_of(args: &TilesArgs, output: &Output) -> Result<(PathBuf, Option<TempDi
         striata_io::write(&path, &mesh, &WriteOptions::default())?;
     }
     let pages = work.path().join("pages.striata");
-    paged::build_pages(&inputs, (args.memory, args.threads, &args.cells), &pages, output)?;
+    paged::build_pages(&inputs, &args.build, &pages, output)?;
     Ok((pages, Some(work)))
 }
 
@@ -109,7 +109,7 @@ fn is_read_at_once(path: &Path) -> bool {
     name == "-" || has_levels || name.starts_with("shape:") && !paged::is_generated(path)
 }
 
-fn text_of(report: &Report<'_>) -> String {
+fn text_of(report: &WrittenTileset<'_>) -> String {
     let tileset = &report.tileset;
     let mut table = Table::with_head(&["level", "tiles", "triangles", "bytes", "error"]);
     for (number, level) in tileset.levels.iter().enumerate().rev() {

@@ -18,7 +18,7 @@ use striata_paged::build::{
 
 use super::input::{build_input, build_options, scratch_bytes, work_folder};
 use super::{core_count, failure, failure_of};
-use crate::args::{BaseArgs, BuildArgs, ByteSize, CellArgs};
+use crate::args::{BaseArgs, BuildArgs, ByteSize, PageBuildArgs};
 use striata_paged::PagedFile;
 
 /// Report of a build: the file, its counts, and the time that it took.
@@ -139,14 +139,14 @@ pub(crate) fn build(
 /// If an input cannot be read or something cannot be written.
 pub(crate) fn build_pages(
     inputs: &[PathBuf],
-    (memory, threads, cells): (Option<ByteSize>, Option<usize>, &CellArgs),
+    args: &PageBuildArgs,
     path: &Path,
     output: &Output,
 ) -> Result<(), Failure> {
     let input = build_input(inputs)?;
-    let options = build_options(cells, output)?;
+    let options = build_options(&args.cells, output)?;
     let folder = work_folder(path, None);
-    let threads = thread_count(memory, threads, options.cell);
+    let threads = thread_count(args.memory, args.threads, options.cell);
     check_input_space(&input, &folder)?;
     let mut bar = output.bar();
     let paths = BuildPaths { output: path, folder: &folder };
