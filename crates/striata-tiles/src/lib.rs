@@ -182,7 +182,11 @@ pub fn write_tiles(
         warnings: left_out(&metadata),
     };
     tiler.write_all(output, &mut sink, progress)?;
-    let Tiler { tiles, warnings, .. } = tiler;
+    let Tiler { tiles, mut warnings, .. } = tiler;
+    if metadata.georeference.is_some() && !options.is_local && place.is_none() {
+        let reason = if up == Up::Y { "the z axis is not up" } else { "it names no coordinate system" };
+        warnings.insert(format!("the georeference is left out: {reason}"));
+    }
     if tiles.is_empty() {
         return Err(TilesError::Empty { name });
     }
