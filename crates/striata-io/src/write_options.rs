@@ -36,6 +36,9 @@ pub struct WriteOptions {
     /// with strips or fans, nor with [`meshopt`](Self::meshopt) or [`draco`](Self::draco), which choose an order of
     /// their own. Default: false.
     pub cache_order: bool,
+    /// glTF only: whether the z axis of the mesh is up, as that of a mesh with a georeference always is. A matrix of its
+    /// nodes then turns it to the y axis, which is up in glTF. Default: false.
+    pub z_up: bool,
 }
 
 impl WriteOptions {
@@ -93,6 +96,12 @@ impl WriteOptions {
         Self { cache_order, ..self }
     }
 
+    /// Sets [`z_up`](Self::z_up).
+    #[must_use]
+    pub fn with_z_up(self, z_up: bool) -> Self {
+        Self { z_up, ..self }
+    }
+
     /// Whether triangles and vertices get their order for caches before they are encoded.
     pub(crate) fn has_cache_order(&self) -> bool {
         self.cache_order && !self.meshopt && !self.draco && self.strips.is_none() && self.fans.is_none()
@@ -121,6 +130,10 @@ pub struct QuantizeOptions {
     pub rotation_bits: u32,
     /// Which meshes have a common grid. Default: those that touch.
     pub grid: GridScope,
+    /// Base-2 logarithm of the distance of grid positions, which are multiples of it: files with the same one have a
+    /// common grid. A mesh that takes more than 65,535 steps keeps its floats. Default: [`None`], so
+    /// [`position_bits`](Self::position_bits) count.
+    pub step_log2: Option<i32>,
 }
 
 /// Which meshes of a scene are rounded to a common grid, so that points they have in common stay so. Only meshes
@@ -147,6 +160,7 @@ impl Default for QuantizeOptions {
             color_bits: 8,
             rotation_bits: 12,
             grid: GridScope::Touching,
+            step_log2: None,
         }
     }
 }
@@ -186,5 +200,11 @@ impl QuantizeOptions {
     #[must_use]
     pub fn with_grid(self, grid: GridScope) -> Self {
         Self { grid, ..self }
+    }
+
+    /// Sets [`step_log2`](Self::step_log2).
+    #[must_use]
+    pub fn with_step_log2(self, step_log2: Option<i32>) -> Self {
+        Self { step_log2, ..self }
     }
 }

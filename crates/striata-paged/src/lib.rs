@@ -18,7 +18,7 @@
 //! | `reader.rs`, `store.rs`, `supplied_store.rs`, `paged_file.rs`, `paged_view.rs` | reading what a level or a view needs |
 //! | `loaded.rs`, `replaced.rs`, `mesh_parts.rs` | how pages in memory refer to each other |
 //! | `assemble.rs` | a mesh made of pages, with all of its levels |
-//! | `cut/` | levels of varying detail made of pages |
+//! | `cut/`, `tiers.rs` | levels of varying detail made of pages |
 //! | `build/` | building from inputs of any size |
 
 mod assemble;
@@ -45,6 +45,7 @@ mod remote;
 mod replaced;
 mod store;
 mod supplied_store;
+mod tiers;
 
 pub use assemble::{Assembled, assemble};
 pub use cut::{CutPages, PagedCut};
@@ -59,3 +60,4 @@ pub use paged_view::{ViewCut, leaving};
 pub use reader::{PagedReader, StoredPlace, Want};
 pub use store::{FileStore, Store, open_store};
 pub use supplied_store::SuppliedStore;
+pub use tiers::StepTiers;

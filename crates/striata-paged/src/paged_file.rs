@@ -174,7 +174,7 @@ impl PagedFile {
     }
 
     /// Reads pages, unless they have been read.
-    fn load(&mut self, pages: &[u32]) -> Result<(), PagedError> {
+    pub(crate) fn load(&mut self, pages: &[u32]) -> Result<(), PagedError> {
         self.make_room(pages);
         // Another level may have been given up because its bytes were missing.
         self.reader.cancel_requests();
@@ -195,7 +195,7 @@ impl PagedFile {
     }
 
     /// The pages among `pages` that have been read.
-    fn loaded(&self, pages: &[u32]) -> Vec<(u32, &Page)> {
+    pub(crate) fn loaded(&self, pages: &[u32]) -> Vec<(u32, &Page)> {
         pages.iter().filter_map(|&index| Some((index, self.reader.page(index)?))).collect()
     }
 
@@ -296,9 +296,13 @@ impl PagedFile {
 
     /// Pages with their ancestors, which have larger keys.
     fn with_ancestors(&mut self, pages: &[(f32, u32, u32)]) -> Result<Vec<u32>, PagedError> {
-        let chosen: BTreeSet<u32> = pages.iter().map(|&(_, index, _)| index).collect();
+        self.closed(&pages.iter().map(|&(_, index, _)| index).collect::<Vec<u32>>())
+    }
+
+    /// Pages with all of their ancestors.
+    pub(crate) fn closed(&mut self, pages: &[u32]) -> Result<Vec<u32>, PagedError> {
         loop {
-            if let Some(pages) = self.reader.close(chosen.iter().copied()) {
+            if let Some(pages) = self.reader.close(pages.iter().copied()) {
                 return Ok(pages);
             }
             self.fetch()?;

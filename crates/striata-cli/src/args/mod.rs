@@ -4,6 +4,7 @@ mod paged;
 mod render;
 mod stream;
 mod strips;
+mod tiles;
 
 use std::path::{Path, PathBuf};
 
@@ -20,10 +21,11 @@ use striata_command::strip_chain::{StripChain, StripPlan};
 #[cfg(feature = "serve")]
 use striata_viewer::serve::{PageArgs, ServeArgs, ThumbnailArgs};
 
-pub(crate) use self::paged::{CellArgs, PagedArgs, PlanArgs, RunArgs};
+pub(crate) use self::paged::{ByteSize, CellArgs, PagedArgs, PlanArgs, RunArgs};
 pub(crate) use self::render::{DrawnModel, PictureBackground, RenderArgs};
 pub(crate) use self::stream::{DecodeArgs, EncodeArgs};
 pub(crate) use self::strips::StripArgs;
+pub(crate) use self::tiles::{PageBuildArgs, TilesArgs, UpAxis};
 
 /// The complete command line.
 #[derive(Debug, Parser)]
@@ -31,11 +33,11 @@ pub(crate) use self::strips::StripArgs;
     name = "striata",
     version,
     about = "Continuous level of detail for triangle meshes",
-    // Without a usage line, which the heading of the verbs makes redundant, the help fits one screen.
-    help_template = "{all-args}\nFormats: .ply .obj .stl .off .gltf .glb .stri .gz .zst. \
+    // Without a usage line, which the heading of the verbs makes redundant, and an empty one, the help fits one screen.
+    help_template = "Continuous level of detail for triangle meshes (`striata VERB --help` for more):\n\
+        {subcommands}\nOptions:\n{options}\nFormats: .ply .obj .stl .off .gltf .glb .stri .gz .zst. \
         See also: completions",
     subcommand_value_name = "VERB",
-    subcommand_help_heading = "Continuous level of detail for triangle meshes (`striata VERB --help` for more)",
     disable_help_subcommand = true,
     disable_help_flag = true,
     max_term_width = 100
@@ -63,6 +65,7 @@ impl Verb {
             Self::Encode(args) => vec![&args.input],
             Self::Decode(args) => vec![&args.input],
             Self::Render(args) => vec![&args.input],
+            Self::Tiles(args) => args.inputs.iter().map(PathBuf::as_path).collect(),
             _ => Vec::new(),
         }
     }
@@ -78,6 +81,7 @@ impl Verb {
             Self::Encode(args) => args.output(),
             Self::Decode(args) => Some(args.output.path()),
             Self::Render(args) => Some(&args.output),
+            Self::Tiles(args) => Some(&args.output),
             _ => None,
         }
     }
@@ -122,6 +126,8 @@ pub(crate) enum Verb {
     Encode(EncodeArgs),
     /// Decode a progressive stream, complete or cut off, into a mesh
     Decode(DecodeArgs),
+    /// Write 3D Tiles of a mesh of any size, for Cesium and other viewers
+    Tiles(TilesArgs),
     /// Render a mesh, its levels or a view to a PNG file
     Render(Box<RenderArgs>),
     /// Serve a folder of models and the viewer over HTTP

@@ -60,17 +60,27 @@ pub(crate) struct CellArgs {
 impl PagedArgs {
     /// Whether any flag asks for a paged file.
     pub(crate) fn is_given(&self) -> bool {
-        let CellArgs { cell, weld_distance, exact, allow_merging, z_scale, nodata } = &self.cells;
         self.paged
             || self.memory.is_some()
             || self.work.is_some()
             || self.restart
-            || cell.is_some()
-            || weld_distance.is_some()
-            || *exact
-            || *allow_merging
-            || z_scale.is_some()
-            || nodata.is_some()
+            || self.cells.first_given_flag().is_some()
+    }
+}
+
+impl CellArgs {
+    /// Returns the first flag that the user gave.
+    pub(crate) fn first_given_flag(&self) -> Option<&'static str> {
+        let Self { cell, weld_distance, exact, allow_merging, z_scale, nodata } = self;
+        let flags = [
+            ("--cell", cell.is_some()),
+            ("--weld-distance", weld_distance.is_some()),
+            ("--exact", *exact),
+            ("--allow-merging", *allow_merging),
+            ("--z-scale", z_scale.is_some()),
+            ("--nodata", nodata.is_some()),
+        ];
+        flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag)
     }
 }
 

@@ -18,6 +18,7 @@ mod simplify;
 mod strip;
 mod strip_blocks;
 mod strip_levels;
+mod tiles;
 
 use crate::args::{Cli, Verb};
 use striata_command::failure::Failure;
@@ -45,6 +46,7 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
         Verb::Convert(args) => convert::run(args, &output),
         Verb::Encode(args) => encode::run(args, &output),
         Verb::Decode(args) => decode::run(args, &output),
+        Verb::Tiles(args) => tiles::run(args, &output),
         #[cfg(feature = "gpu")]
         Verb::Render(args) => render::run(args, &output.with_drivers(args.drivers)),
         #[cfg(not(feature = "gpu"))]
@@ -75,7 +77,7 @@ fn check_inputs_stay(cli: &Cli) -> Result<(), Failure> {
         return Ok(());
     }
     let way_out = match cli.verb {
-        Verb::Render(_) => "choose another name",
+        Verb::Render(_) | Verb::Tiles(_) => "choose another name",
         _ => "choose another name, or add --force",
     };
     let message = format!("{}: the output would overwrite the input", output.display());

@@ -30,6 +30,7 @@ fn every_verb_ends_with_two_examples() {
         "convert",
         "encode",
         "decode",
+        "tiles",
         "serve",
         "thumbnail",
         "render",

@@ -28,6 +28,7 @@ mod streams;
 mod strip_blocks;
 mod strip_levels;
 mod strips;
+mod tiles;
 mod verbs;
 #[cfg(all(unix, feature = "serve"))]
 mod view;

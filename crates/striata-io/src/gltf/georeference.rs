@@ -34,9 +34,14 @@ pub(crate) fn add_georeference(scene: &mut Value, appearance: &Appearance) {
     }
 }
 
-/// Places a node at the origin of its mesh, and turns it if the mesh has a georeference.
-pub(crate) fn place_node(node: &mut Value, origin: [f64; 3], appearance: &Appearance) {
-    if !appearance.georeference.is_empty() {
+/// Whether a mesh has a georeference, so that its z axis is up.
+pub(crate) fn is_terrain(appearance: &Appearance) -> bool {
+    !appearance.georeference.is_empty()
+}
+
+/// Places a node at the origin of its mesh, and turns the z axis to the y axis if it is up.
+pub(crate) fn place_node(node: &mut Value, origin: [f64; 3], is_z_up: bool) {
+    if is_z_up {
         let matrix = Z_UP_TO_Y_UP * DMat4::from_translation(DVec3::from_array(origin));
         // Adding 0 turns −0 into 0.
         node["matrix"] = json!(matrix.to_cols_array().map(|x| x + 0.0));

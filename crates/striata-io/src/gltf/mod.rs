@@ -97,7 +97,7 @@ pub(crate) mod parts {
 pub(crate) use extensions::are_all_known;
 pub use extensions::{ExtensionUse, extension_use, known_extensions};
 pub(crate) use files::GltfContainer;
-pub(crate) use georeference::{add_georeference, georeference_in, place_node};
+pub(crate) use georeference::{add_georeference, georeference_in, is_terrain, place_node};
 pub(crate) use importance::usable as usable_importance;
 pub(crate) use references::{entries, has_triangles, is_blended};
 pub(crate) use semantics::target_of;

@@ -10,7 +10,7 @@ use striata::mesh::{Appearance, IndexedMesh};
 
 use super::builder::{ELEMENT_ARRAY_BUFFER, GltfBuilder, TRIANGLE_STRIP};
 use super::component_type::GltfComponentType;
-use super::georeference::{add_georeference, place_node};
+use super::georeference::{add_georeference, is_terrain, place_node};
 use super::write_layers::attributes;
 use crate::error::Refusal;
 
@@ -128,7 +128,7 @@ impl VertexPieces {
         }
         root["scenes"] = json!([{ "nodes": [0] }]);
         root["nodes"] = json!([{ "mesh": 0 }]);
-        place_node(&mut root["nodes"][0], self.origin, &self.appearance);
+        place_node(&mut root["nodes"][0], self.origin, is_terrain(&self.appearance));
         add_georeference(&mut root["scenes"][0], &self.appearance);
         root["meshes"] = json!([{ "primitives": [primitive] }]);
         root["accessors"] = json!(accessors);

@@ -11,7 +11,7 @@ use striata::mesh::{Appearance, Image, IndexedMesh, TriangleGroup};
 use super::builder::{GltfBuilder, TRIANGLE_STRIP};
 use super::component_type::GltfComponentType;
 use super::files::GltfContainer;
-use super::georeference::{add_georeference, place_node};
+use super::georeference::{add_georeference, is_terrain, place_node};
 use super::passes::{GltfParts, WrittenArray};
 use super::shading::shaded;
 use super::write_layers::{SharedAttributes, attributes};
@@ -98,7 +98,7 @@ impl GltfBuilder {
                 .collect();
             let name = &alike[0].0.name;
             let mut node = json!({ "mesh": meshes.len });
-            place_node(&mut node, mesh.origin, &mesh.appearance);
+            place_node(&mut node, mesh.origin, options.z_up || is_terrain(&mesh.appearance));
             let mut entry = json!({ "primitives": primitives });
             if !name.is_empty() {
                 node["name"] = json!(name);

@@ -6,7 +6,9 @@ use serde_json::{Map, Value, json};
 use striata::mesh::{IndexedMesh, Material, TriangleGroup};
 
 use super::{Scene, SceneError, SceneParts};
-use crate::gltf::{add_georeference, attribute_name, image_entry, insert, looks, place_node, target_of};
+use crate::gltf::{
+    add_georeference, attribute_name, image_entry, insert, is_terrain, looks, place_node, target_of,
+};
 use crate::{Format, convert_colors};
 
 impl Scene {
@@ -33,7 +35,7 @@ impl Scene {
             let primitives: Vec<Value> = mesh.groups.iter().map(|group| primitive(&mesh, group)).collect();
             root.insert("meshes".to_owned(), json!([{ "primitives": primitives }]));
             let mut node = json!({ "mesh": 0 });
-            place_node(&mut node, std::mem::take(&mut mesh.origin), &appearance);
+            place_node(&mut node, std::mem::take(&mut mesh.origin), is_terrain(&appearance));
             // Nodes place meshes; their vertices have no coordinates of their own in the file.
             mesh.exact_positions.clear();
             root.insert("nodes".to_owned(), json!([node]));

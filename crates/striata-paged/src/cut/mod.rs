@@ -29,7 +29,7 @@ use crate::mesh_parts::{Triangles, appearance, gathered_layers, grouped};
 use crate::parallel::map_in_parallel;
 use crate::replaced::Replaced;
 use crate::{Metadata, Page, PagedError};
-use page_surface::PageSurface;
+pub(crate) use page_surface::PageSurface;
 
 /// A level whose detail varies.
 #[derive(Clone, Debug)]
@@ -85,6 +85,15 @@ impl<'a> CutPages<'a> {
     /// A part has the position of the step, the length of the longest edge there as its radius, and the error of
     /// the surface without it.
     pub fn cut(&self, is_wanted: impl Fn(&Part) -> bool + Sync) -> PagedCut {
+        self.cut_steps(&|surface, _, position| is_wanted(&surface.part(position)))
+    }
+
+    /// Makes the coarsest level that refines every step for which `is_wanted` is true, and the steps that these need. A
+    /// step is the gathered position of a surface, with the index of its page.
+    pub(crate) fn cut_steps(
+        &self,
+        is_wanted: &(impl Fn(&PageSurface<'_>, u32, u32) -> bool + Sync),
+    ) -> PagedCut {
         let loaded = &self.loaded;
         let flags = |page: &Page| (1..page.first.len()).map(|_| AtomicBool::new(false)).collect();
         let messages = Messages {
@@ -94,13 +103,19 @@ impl<'a> CutPages<'a> {
         let mut contributions: Vec<Contribution> = Vec::with_capacity(loaded.len());
         for level in loaded.levels() {
             let slots: Vec<u32> = level.collect();
-            contributions.extend(map_in_parallel(&slots, |&slot| self.cut_page(slot, &messages, &is_wanted)));
+            contributions.extend(map_in_parallel(&slots, |&slot| self.cut_page(slot, &messages, is_wanted)));
         }
         self.joined(contributions)
     }
 
     /// Keeps or undoes the steps of one page; all finer pages have been cut.
-    fn cut_page(&self, slot: u32, messages: &Messages, is_wanted: &impl Fn(&Part) -> bool) -> Contribution {
+    fn cut_page(
+        &self,
+        slot: u32,
+        messages: &Messages,
+        is_wanted: &impl Fn(&PageSurface<'_>, u32, u32) -> bool,
+    ) -> Contribution {
+        let page = self.loaded.index_of(slot);
         let mut surface = PageSurface::new(&self.loaded, slot);
         let mut is_kept = vec![false; surface.node_count()];
         for (is_kept, is_needed) in is_kept.iter_mut().zip(&messages.is_needed[slot as usize]) {
@@ -111,9 +126,8 @@ impl<'a> CutPages<'a> {
             surface.gather(position);
             let is_needed = is_kept[position as usize];
             if !is_needed {
-                let part = surface.part(position);
-                if !is_wanted(&part) {
-                    contribution.error = contribution.error.max(part.error);
+                if !is_wanted(&surface, page, position) {
+                    contribution.error = contribution.error.max(surface.error_of(position));
                     surface.collapse();
                     continue;
                 }

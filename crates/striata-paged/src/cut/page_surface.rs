@@ -6,6 +6,7 @@
 use std::cmp::Reverse;
 use std::collections::HashMap;
 
+use striata::mesh::Bounds;
 use striata::view::{NormalCone, Part, Sphere};
 
 use crate::Page;
@@ -15,7 +16,7 @@ use crate::loaded::LoadedPages;
 const NONE: u32 = u32::MAX;
 
 /// The triangles of a page, and the corners at each owned position.
-pub(super) struct PageSurface<'a> {
+pub(crate) struct PageSurface<'a> {
     page: &'a Page,
     owned_vertices: u32,
     owned_positions: u32,
@@ -34,7 +35,7 @@ pub(super) struct PageSurface<'a> {
 
 impl<'a> PageSurface<'a> {
     /// The surface of a page at full detail.
-    pub(super) fn new(loaded: &LoadedPages<'a>, slot: u32) -> Self {
+    pub(crate) fn new(loaded: &LoadedPages<'a>, slot: u32) -> Self {
         let page = loaded.page(slot);
         let owned_positions = page.first.len() as u32 - 1;
         let imported =
@@ -59,13 +60,13 @@ impl<'a> PageSurface<'a> {
     }
 
     /// Number of nodes of the imports and the owned positions.
-    pub(super) fn node_count(&self) -> usize {
+    pub(crate) fn node_count(&self) -> usize {
         // Several imports may share a node, so this may be too large.
         self.owned_positions as usize + self.page.imports.len()
     }
 
     /// The owned positions in the order in which their steps are undone.
-    pub(super) fn order(&self) -> Vec<u32> {
+    pub(crate) fn order(&self) -> Vec<u32> {
         let keys = &self.page.keys;
         let mut order: Vec<u32> = (0..keys.len() as u32).collect();
         // Keys are not negative, so their bits have the same order.
@@ -74,7 +75,7 @@ impl<'a> PageSurface<'a> {
     }
 
     /// Node of a vertex or import.
-    pub(super) fn node(&self, v: u32) -> u32 {
+    pub(crate) fn node(&self, v: u32) -> u32 {
         self.nodes.as_ref().map_or(v, |nodes| nodes[v as usize])
     }
 
@@ -92,7 +93,7 @@ impl<'a> PageSurface<'a> {
     }
 
     /// Finds the corners at an owned position.
-    pub(super) fn gather(&mut self, position: u32) {
+    pub(crate) fn gather(&mut self, position: u32) {
         self.star.clear();
         let mut corner = self.head[position as usize];
         while corner != NONE {
@@ -112,12 +113,49 @@ impl<'a> PageSurface<'a> {
         };
         let ring = self.star.iter().flat_map(|&corner| self.corners[corner as usize / 3]);
         let radius = ring.map(squared).fold(0.0, f32::max).sqrt();
-        let error = self.page.errors[position as usize];
-        Part { sphere: Sphere { center, radius }, cone: NormalCone::ALL, error }
+        Part { sphere: Sphere { center, radius }, cone: NormalCone::ALL, error: self.error_of(position) }
+    }
+
+    /// Error of the surface without an owned position, in mesh units.
+    pub(super) fn error_of(&self, position: u32) -> f32 {
+        self.page.errors[position as usize]
+    }
+
+    /// Bounds of the triangles at the gathered position before and after its step is undone.
+    pub(crate) fn bounds_around(&self, position: u32) -> Bounds {
+        let first = self.points[self.page.first[position as usize] as usize];
+        let mut bounds = Bounds { min: first, max: first };
+        self.for_each_needed(position, |v| {
+            for (axis, &x) in self.points[v as usize].iter().enumerate() {
+                bounds.min[axis] = bounds.min[axis].min(x);
+                bounds.max[axis] = bounds.max[axis].max(x);
+            }
+        });
+        bounds
+    }
+
+    /// For each axis, whether a triangle faces against it, and whether one faces along it.
+    pub(crate) fn facings(&self) -> [[bool; 2]; 3] {
+        let mut facings = [[false; 2]; 3];
+        for corners in &self.corners {
+            let [a, b, c] = corners.map(|v| self.points[v as usize].map(f64::from));
+            for (axis, facing) in facings.iter_mut().enumerate() {
+                let (u, v) = ((axis + 1) % 3, (axis + 2) % 3);
+                let normal = (b[u] - a[u]) * (c[v] - a[v]) - (b[v] - a[v]) * (c[u] - a[u]);
+                facing[0] |= normal < 0.0;
+                facing[1] |= normal > 0.0;
+            }
+        }
+        facings
+    }
+
+    /// Bounds of all triangles of the page, whichever of its steps are undone.
+    pub(crate) fn bounds(&self) -> Option<Bounds> {
+        Bounds::of(&self.points)
     }
 
     /// Calls a function with each vertex that the step of the gathered position needs: its one-ring and its targets.
-    pub(super) fn for_each_needed(&self, position: u32, mut visit: impl FnMut(u32)) {
+    pub(crate) fn for_each_needed(&self, position: u32, mut visit: impl FnMut(u32)) {
         for v in self.page.first[position as usize]..self.page.first[position as usize + 1] {
             visit(self.page.targets[v as usize]);
         }
@@ -127,7 +165,7 @@ impl<'a> PageSurface<'a> {
     }
 
     /// Undoes the step of the gathered position.
-    pub(super) fn collapse(&mut self) {
+    pub(crate) fn collapse(&mut self) {
         let star = std::mem::take(&mut self.star);
         for &corner in &star {
             let (t, slot) = (corner as usize / 3, corner as usize % 3);

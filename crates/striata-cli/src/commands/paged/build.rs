@@ -18,7 +18,7 @@ use striata_paged::build::{
 
 use super::input::{build_input, build_options, scratch_bytes, work_folder};
 use super::{core_count, failure, failure_of};
-use crate::args::{BaseArgs, BuildArgs};
+use crate::args::{BaseArgs, BuildArgs, ByteSize, PageBuildArgs};
 use striata_paged::PagedFile;
 
 /// Report of a build: the file, its counts, and the time that it took.
@@ -55,8 +55,7 @@ pub(crate) fn build(
     let args = &build.paged;
     let options = sequenced(build_options(&args.cells, output)?, build);
     let folder = work_folder(path, args.work.as_deref());
-    let memory_threads = args.memory.map_or(usize::MAX, |size| threads_for_memory(size.0, options.cell));
-    let threads = args.threads.unwrap_or_else(core_count).clamp(1, memory_threads);
+    let threads = thread_count(args.memory, args.threads, options.cell);
     // Hours of work lie ahead.
     check_folder(path)?;
     check_input_space(&input, &folder)?;
@@ -132,6 +131,39 @@ pub(crate) fn build(
         shortfall.unwrap_or_default(),
     );
     output.summary(&report, &text)
+}
+
+/// Builds a paged file that another verb reads, next to which its work folder is.
+///
+/// # Errors
+/// If an input cannot be read or something cannot be written.
+pub(crate) fn build_pages(
+    inputs: &[PathBuf],
+    args: &PageBuildArgs,
+    path: &Path,
+    output: &Output,
+) -> Result<(), Failure> {
+    let input = build_input(inputs)?;
+    let options = build_options(&args.cells, output)?;
+    let folder = work_folder(path, None);
+    let threads = thread_count(args.memory, args.threads, options.cell);
+    check_input_space(&input, &folder)?;
+    let mut bar = output.bar();
+    let paths = BuildPaths { output: path, folder: &folder };
+    let plan = PagedPlan::make(input, options, paths, threads, &mut |p| bar.show(p)).map_err(failure)?;
+    output.warn(&plan.warnings)?;
+    if let Some(note) = plan.note {
+        output.say(&format!("note: {note}"));
+    }
+    check_space(&plan)?;
+    run_all(&plan, threads, &mut |p| bar.show(p)).map_err(failure)?;
+    plan.remove_work().map_err(failure)
+}
+
+/// Number of threads that run tasks.
+fn thread_count(memory: Option<ByteSize>, threads: Option<usize>, cell: usize) -> usize {
+    let most = memory.map_or(usize::MAX, |size| threads_for_memory(size.0, cell));
+    threads.unwrap_or_else(core_count).clamp(1, most)
 }
 
 /// The options of the cells, with what the user said about the base mesh and the order of collapses.

@@ -7,7 +7,7 @@ mod plan;
 mod run;
 mod source;
 
-pub(crate) use build::build;
+pub(crate) use build::{build, build_pages};
 pub(crate) use info::info;
 pub(crate) use input::{is_generated, is_streamed_only, is_too_large, open_generated};
 pub(crate) use plan::plan;

@@ -62,6 +62,12 @@ pub(in crate::gltf::passes) fn grids(
             .and_then(|accessor| *known.entry(accessor).or_insert_with(|| bounding_box(document, accessor)));
         boxes[set] = boxes[set].zip(of_primitive).map(|(a, b)| a.joined(b));
     }
+    if let Some(exponent) = options.step_log2 {
+        let grid = |bounds: &Option<Box3>| {
+            Member { set: 0, offset: DVec3::ZERO, bounds: (*bounds)?, step: 0.0 }.grid(2f64.powi(exponent))
+        };
+        return Grids { grids: boxes.iter().map(grid).collect(), of_mesh };
+    }
     let mut grids: Vec<Option<MeshGrid>> =
         boxes.iter().map(|bounds| bounds.as_ref()?.grid(options.position_bits)).collect();
     MeshSets { document, primitives, of_mesh: &of_mesh }.share(&mut grids, &boxes, options.grid);

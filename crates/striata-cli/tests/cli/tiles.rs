@@ -1,0 +1,92 @@
+//! 3D Tiles from paged files and from meshes.
+
+use std::fs;
+
+use serde_json::Value;
+use striata::mesh::shapes;
+
+use crate::workbench::Workbench;
+
+/// A terrain at the equator, on the central meridian of a zone of UTM.
+fn write_terrain(bench: &Workbench, name: &str, epsg: u32) {
+    let mut mesh = shapes::terrain(40, 1);
+    mesh.appearance.georeference = format!(r#"{{"origin":[500000.0,0.0],"epsg":{epsg}}}"#);
+    striata_io::write(bench.path(name), &mesh, &striata_io::WriteOptions::default()).unwrap();
+}
+
+fn tileset(bench: &Workbench, folder: &str) -> Value {
+    serde_json::from_slice(&fs::read(bench.path(&format!("{folder}/tileset.json"))).unwrap()).unwrap()
+}
+
+#[test]
+fn a_paged_file_and_its_input_have_the_same_tiles() {
+    let bench = Workbench::new();
+    bench.run("build shape:terrain:130 -o t.striata --cell 4000").success();
+    let paged = bench.json("tiles t.striata -o a --tile-triangles 2000 --meshopt");
+    let direct =
+        bench.json("tiles shape:terrain:130 -o b --cell 4000 --tile-triangles 2000 --meshopt --memory 500MB");
+    assert_eq!(paged["levels"], direct["levels"]);
+    assert!(paged["tiles"].as_u64().unwrap() >= 21 && paged["up"] == "z", "{paged}");
+    assert_eq!(tileset(&bench, "a"), tileset(&bench, "b"));
+    let errors: Vec<f64> =
+        paged["levels"].as_array().unwrap().iter().map(|level| level["error"].as_f64().unwrap()).collect();
+    assert!(errors[0] == 0.0 && errors.is_sorted(), "{errors:?}");
+    let files: Vec<_> =
+        fs::read_dir(bench.path(".")).unwrap().map(|file| file.unwrap().file_name()).collect();
+    assert_eq!(files.len(), 3, "nothing temporary is left: {files:?}");
+    // Built-in shapes, files with levels, and archives.
+    bench.json("tiles shape:torus -o torus.3tz --tile-triangles 5000 --draco");
+    assert!(fs::read(bench.path("torus.3tz")).unwrap().starts_with(b"PK"));
+    bench.run("build shape:torus -o torus.striata").success();
+    bench.json("tiles torus.striata -o torus --tile-triangles 5000 --quantize --raw");
+}
+
+#[test]
+fn a_georeference_becomes_a_place_on_the_earth() {
+    let bench = Workbench::new();
+    write_terrain(&bench, "t.glb", 32633);
+    let report = bench.json("tiles t.glb -o t");
+    assert_eq!((&report["epsg"], report["tiles"].as_u64()), (&32633.into(), Some(1)));
+    let transform = tileset(&bench, "t")["root"]["transform"].clone();
+    let number = |i: usize| transform[i].as_f64().unwrap();
+    // The mesh begins 15 degrees east of Greenwich.
+    let place = [12, 13, 14].map(number);
+    let (sin, cos) = 15f64.to_radians().sin_cos();
+    let distance = [6_378_137.0 * cos, 6_378_137.0 * sin, 0.0];
+    let distance = (0..3).map(|i| (place[i] - distance[i]).powi(2)).sum::<f64>().sqrt();
+    assert!(distance < 100.0, "{transform}");
+    // Up leads away from the center of the Earth.
+    let up = (0..3).map(|i| number(8 + i) * place[i]).sum::<f64>();
+    assert!(up > 6_300_000.0, "{transform}");
+    let local = bench.json("tiles t.glb -o local --local");
+    assert_eq!((&local["epsg"], &local["warnings"]), (&Value::Null, &serde_json::json!([])));
+    let turned = bench.json("tiles t.glb -o turned --up y");
+    assert_eq!(turned["warnings"][0], "the georeference is left out: the z axis is not up");
+    write_terrain(&bench, "odd.glb", 99);
+    let refused = bench.refused("tiles odd.glb -o odd");
+    assert!(refused.contains("EPSG:99") && refused.contains("--local"), "{refused}");
+    assert!(!bench.path("odd").exists());
+}
+
+#[test]
+fn what_cannot_be_done_is_refused_by_name() {
+    let bench = Workbench::new();
+    bench.run("build shape:terrain:60 -o t.striata --paged").success();
+    fs::create_dir(bench.path("mine")).unwrap();
+    fs::write(bench.path("mine/file"), "").unwrap();
+    for (arguments, expected) in [
+        ("tiles t.striata -o mine", "no tileset of striata"),
+        ("tiles t.striata -o mine/file", "tiles need a folder"),
+        ("tiles t.striata -o out --cell 4000", "--cell has no effect on a paged file"),
+        ("tiles t.striata -o out --threads 2", "--threads has no effect on a paged file"),
+        ("tiles t.striata -o out --meshopt --draco", "cannot be used with"),
+        ("tiles shape:torus -o out --up y --skirts", "skirts are for terrains"),
+        ("tiles none.ply -o out", "none.ply"),
+        ("tiles t.striata -o no/out", "no/out"),
+    ] {
+        let text = bench.refused(arguments);
+        assert!(text.contains(expected), "{arguments}: {text}");
+        assert!(!bench.path("out").exists());
+    }
+    assert!(bench.path("mine/file").exists());
+}

@@ -1,0 +1,191 @@
+//! The destination of a tileset: a folder, or an archive of the format 3TZ.
+//!
+//! Both are written next to their place and renamed when they are complete.
+
+use std::collections::BTreeSet;
+use std::fs::{self, File};
+use std::io::{self, Read as _, Write as _};
+use std::path::{Path, PathBuf};
+
+use md5::{Digest as _, Md5};
+use serde_json::Value;
+use tempfile::{NamedTempFile, TempDir};
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipArchive, ZipWriter};
+
+use crate::error::TilesError;
+
+/// Last entry of an archive, by which readers find the others.
+const INDEX: &str = "@3dtilesIndex1@";
+/// Largest description of a tileset that is read to learn who wrote it.
+const MAX_JSON_BYTES: u64 = 64 << 20;
+
+/// Files of a tileset while it is written.
+pub(crate) enum Sink {
+    Folder { folder: TempDir, subfolders: BTreeSet<String> },
+    Archive { file: NamedTempFile, writer: Box<ZipWriter<File>> },
+}
+
+/// Whether a path names an archive.
+fn is_archive(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("3tz"))
+}
+
+/// Checks that nothing is at the place of a tileset but one that may be replaced.
+///
+/// # Errors
+/// [`TilesError::Place`] with the reason.
+pub fn check_output(path: &Path) -> Result<(), TilesError> {
+    let refused = |reason| Err(TilesError::Place { path: path.to_owned(), reason });
+    let Ok(there) = fs::metadata(path) else { return Ok(()) };
+    match (is_archive(path), there.is_dir()) {
+        (true, true) => return refused("it is a folder"),
+        (true, false) => return Ok(()),
+        (false, false) => return refused("it is a file, but tiles need a folder"),
+        (false, true) => {}
+    }
+    let is_empty = fs::read_dir(path).is_ok_and(|mut files| files.next().is_none());
+    if is_empty || is_ours(&path.join("tileset.json")) {
+        Ok(())
+    } else {
+        refused("it is a folder, but no tileset of striata")
+    }
+}
+
+fn is_ours(path: &Path) -> bool {
+    let Ok(file) = File::open(path) else { return false };
+    let document: Result<Value, _> = serde_json::from_reader(io::BufReader::new(file.take(MAX_JSON_BYTES)));
+    document.is_ok_and(|document| document["asset"]["generator"] == "striata")
+}
+
+impl Sink {
+    pub(crate) fn new(path: &Path) -> Result<Self, TilesError> {
+        let made = |source| TilesError::Io { path: path.to_owned(), source };
+        let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(".striata-").suffix(".part");
+        if is_archive(path) {
+            #[cfg(unix)]
+            builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+            let file = builder.tempfile_in(parent).map_err(made)?;
+            let writer = Box::new(ZipWriter::new(file.reopen().map_err(made)?));
+            return Ok(Self::Archive { file, writer });
+        }
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o777));
+        let folder = builder.tempdir_in(parent).map_err(made)?;
+        Ok(Self::Folder { folder, subfolders: BTreeSet::new() })
+    }
+
+    /// Adds a file.
+    pub(crate) fn put(&mut self, name: &str, bytes: &[u8]) -> io::Result<()> {
+        match self {
+            Self::Folder { folder, subfolders } => {
+                if let Some((subfolder, _)) = name.split_once('/')
+                    && !subfolders.contains(subfolder)
+                {
+                    fs::create_dir(folder.path().join(subfolder))?;
+                    subfolders.insert(subfolder.to_owned());
+                }
+                fs::write(folder.path().join(name), bytes)
+            }
+            Self::Archive { writer, .. } => {
+                writer.start_file(name, options(CompressionMethod::Deflated))?;
+                writer.write_all(bytes)
+            }
+        }
+    }
+
+    /// Gives the tileset its name.
+    pub(crate) fn finish(self, path: &Path) -> io::Result<()> {
+        match self {
+            Self::Folder { folder, .. } => replace_folder(folder, path),
+            Self::Archive { file, writer } => {
+                writer.finish()?;
+                let index = index_of(file.reopen()?)?;
+                let mut writer = ZipWriter::new_append(file.reopen()?)?;
+                writer.start_file(INDEX, options(CompressionMethod::Stored))?;
+                writer.write_all(&index)?;
+                writer.finish()?;
+                file.persist(path).map_err(|error| error.error).map(drop)
+            }
+        }
+    }
+}
+
+/// Without a time, so that the same tiles are the same bytes.
+fn options(method: CompressionMethod) -> SimpleFileOptions {
+    SimpleFileOptions::default().compression_method(method).last_modified_time(zip::DateTime::default())
+}
+
+/// Hash of the name and offset of each entry, sorted as readers search them: by the hash as two little-endian numbers.
+fn index_of(file: File) -> io::Result<Vec<u8>> {
+    let mut archive = ZipArchive::new(file)?;
+    let mut entries = Vec::with_capacity(archive.len());
+    for place in 0..archive.len() {
+        let entry = archive.by_index_raw(place)?;
+        let hash: [u8; 16] = Md5::digest(entry.name()?.as_bytes()).into();
+        let words = hash.as_chunks::<8>().0;
+        entries.push((u64::from_le_bytes(words[0]), u64::from_le_bytes(words[1]), entry.header_start()));
+    }
+    entries.sort_unstable();
+    let numbers = entries.into_iter().flat_map(|(low, high, offset)| [low, high, offset]);
+    Ok(numbers.flat_map(u64::to_le_bytes).collect())
+}
+
+/// Renames a folder; one that is there already is moved aside first, and comes back if that fails.
+fn replace_folder(folder: TempDir, path: &Path) -> io::Result<()> {
+    let path: PathBuf = path.components().collect();
+    if !path.exists() {
+        fs::rename(folder.path(), &path)?;
+        let _ = folder.keep();
+        return Ok(());
+    }
+    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let aside = tempfile::Builder::new().prefix(".striata-").suffix(".old").tempdir_in(parent)?;
+    let old = aside.path().join("old");
+    fs::rename(&path, &old)?;
+    if let Err(error) = fs::rename(folder.path(), &path) {
+        fs::rename(&old, &path)?;
+        return Err(error);
+    }
+    let _ = folder.keep();
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_archive_ends_with_an_index_of_its_entries() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.3tz");
+        let mut sink = Sink::new(&path).unwrap();
+        for name in ["tileset.json", "0/0_0_0.glb", "1/0_0_0.glb"] {
+            sink.put(name, name.as_bytes()).unwrap();
+        }
+        sink.finish(&path).unwrap();
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+        let mut archive = ZipArchive::new(File::open(&path).unwrap()).unwrap();
+        let mut index = Vec::new();
+        let mut last = archive.by_index(3).unwrap();
+        assert_eq!(last.name().unwrap(), INDEX);
+        last.read_to_end(&mut index).unwrap();
+        drop(last);
+        let bytes = fs::read(&path).unwrap();
+        let entries: Vec<[u64; 3]> = index
+            .chunks(24)
+            .map(|e| [0, 8, 16].map(|i| u64::from_le_bytes(e[i..i + 8].try_into().unwrap())))
+            .collect();
+        assert_eq!(entries.len(), 3);
+        assert!(entries.is_sorted());
+        for [low, high, offset] in entries {
+            let header = &bytes[offset as usize..];
+            assert_eq!(&header[..4], b"PK\x03\x04");
+            let length = u16::from_le_bytes([header[26], header[27]]) as usize;
+            let hash: [u8; 16] = Md5::digest(&header[30..30 + length]).into();
+            assert_eq!(hash, [low.to_le_bytes(), high.to_le_bytes()].concat()[..]);
+        }
+    }
+}
