@@ -118,8 +118,8 @@ pub struct TilesReport {
     pub epsg: Option<u32>,
     /// Largest distance of a corner from its true place on the Earth, which is curved, in meters.
     pub curvature_error: Option<f64>,
-    /// Remarks on what tiles do not contain.
-    pub warnings: Vec<String>,
+    /// Remarks on data of the mesh that tiles do not contain.
+    pub left_out: Vec<String>,
 }
 
 /// A level of a tileset.
@@ -229,7 +229,7 @@ fn report(tree: &TileTree<'_>, place: Option<earth::EarthPlace>, warnings: BTree
         up: if tree.up == Up::Y { "y" } else { "z" },
         epsg: place.map(|place| place.epsg),
         curvature_error: place.map(|place| place.error),
-        warnings: warnings.into_iter().collect(),
+        left_out: warnings.into_iter().collect(),
     }
 }
 

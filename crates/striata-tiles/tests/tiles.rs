@@ -371,7 +371,7 @@ fn attributes_and_materials_are_kept() {
         |first, material| TriangleGroup { name: String::new(), material: Some(material), first, count: half };
     mesh.groups = vec![group(0, 0), group(half, 1)];
     let set = tiled(&mesh, &options(300));
-    assert_eq!(set.report.warnings, ["tiles have no textures: 1 images are left out, the first is photo"]);
+    assert_eq!(set.report.left_out, ["tiles have no textures: 1 images are left out, the first is photo"]);
     let mut names = BTreeSet::new();
     for tile in &set.tiles {
         let color =

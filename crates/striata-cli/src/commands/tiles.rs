@@ -46,7 +46,7 @@ pub(crate) fn run(args: &TilesArgs, output: &Output) -> Result<(), Failure> {
     let options = options_of(args);
     let tileset = write_tiles(&mut file, &args.output, &options, &mut |p| bar.show(p)).map_err(failure)?;
     drop(bar);
-    tileset.warnings.iter().for_each(|warning| output.say(&format!("warning: {warning}")));
+    tileset.left_out.iter().for_each(|warning| output.say(&format!("warning: {warning}")));
     if let Some(error) = tileset.curvature_error.filter(|&error| error > SMALL_ERROR) {
         let error = format_length(error);
         output

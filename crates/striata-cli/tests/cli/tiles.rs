@@ -59,9 +59,9 @@ fn a_georeference_becomes_a_place_on_the_earth() {
     let up = (0..3).map(|i| number(8 + i) * place[i]).sum::<f64>();
     assert!(up > 6_300_000.0, "{transform}");
     let local = bench.json("tiles t.glb -o local --local");
-    assert_eq!((&local["epsg"], &local["warnings"]), (&Value::Null, &serde_json::json!([])));
+    assert_eq!((&local["epsg"], &local["left_out"]), (&Value::Null, &serde_json::json!([])));
     let turned = bench.json("tiles t.glb -o turned --up y");
-    assert_eq!(turned["warnings"][0], "the georeference is left out: the z axis is not up");
+    assert_eq!(turned["left_out"][0], "the georeference is left out: the z axis is not up");
     write_terrain(&bench, "odd.glb", 99);
     let refused = bench.refused("tiles odd.glb -o odd");
     assert!(refused.contains("EPSG:99") && refused.contains("--local"), "{refused}");
