@@ -60,7 +60,7 @@ pub(super) enum Item {
 
 /// Returns all chunks and other items in the order of their improvement per byte, for a scene with this diagonal.
 pub(super) fn schedule(meshes: &[MeshCosts], others: &[WholeCosts], diagonal: f64) -> Vec<Item> {
-    let mut parts: Vec<(usize, Run)> = Vec::new();
+    let mut parts: Vec<(usize, PartRun)> = Vec::new();
     for (mesh, costs) in meshes.iter().enumerate() {
         let own = runs(costs.bytes.iter().copied().zip(costs.gains.iter().copied()));
         parts.extend(own.into_iter().map(|run| (mesh, run)));
@@ -77,7 +77,7 @@ pub(super) fn schedule(meshes: &[MeshCosts], others: &[WholeCosts], diagonal: f6
     errors.reverse();
     let gains = errors.windows(2).map(|pair| pair[0] - pair[1]);
     let geometry = runs(parts.iter().map(|(_, run)| run.bytes).zip(gains));
-    let chunks = |run: &Run| {
+    let chunks = |run: &PartRun| {
         let parts = parts[run.range.clone()].iter();
         parts.map(|(mesh, run)| Item::Chunks { mesh: *mesh, chunks: run.range.clone() }).collect()
     };
@@ -90,25 +90,25 @@ pub(super) fn schedule(meshes: &[MeshCosts], others: &[WholeCosts], diagonal: f6
 }
 
 /// Consecutive parts that are weighed together.
-struct Run {
+struct PartRun {
     gain: f64,
     bytes: u64,
     range: Range<usize>,
 }
 
-impl Run {
+impl PartRun {
     fn rate(&self) -> f64 {
         self.gain / self.bytes as f64
     }
 }
 
 /// Divides parts, given by their bytes and gains, into runs of falling improvement per byte.
-fn runs(parts: impl Iterator<Item = (u64, f64)>) -> Vec<Run> {
-    let mut runs: Vec<Run> = Vec::new();
+fn runs(parts: impl Iterator<Item = (u64, f64)>) -> Vec<PartRun> {
+    let mut runs: Vec<PartRun> = Vec::new();
     for (part, (bytes, gain)) in parts.enumerate() {
-        let mut run = Run { gain, bytes: bytes.max(1), range: part..part + 1 };
+        let mut run = PartRun { gain, bytes: bytes.max(1), range: part..part + 1 };
         while let Some(last) = runs.pop_if(|last| last.rate() <= run.rate()) {
-            run = Run {
+            run = PartRun {
                 gain: last.gain + run.gain,
                 bytes: last.bytes + run.bytes,
                 range: last.range.start..run.range.end,
