@@ -83,7 +83,6 @@ impl BinaryPly {
         };
         let mut stream = PlyStream::open(file, input.name)?;
         stream.header.has_top_origin = header.encoding == Encoding::Ascii;
-        stream.header.georeference.clone_from(&header.georeference);
         stream.choose_origin()?;
         left_out(&header).into_iter().for_each(|remark| warnings.push(Place::File, remark));
         let mut data = FaceData::new(&header, 0);

@@ -5,6 +5,7 @@ use super::input::PieceInput;
 use super::spool::Spool;
 use crate::ReadError;
 use crate::error::Fault;
+use crate::ply::georeference_comment;
 use crate::ply::header::{Element, Header, PlyProperty, Scalar};
 use crate::ply::lists::{index_list, list_length, skip_element, skip_property};
 use crate::ply::rows::{AsciiRows, Rows as _};
@@ -61,6 +62,7 @@ fn write_head(header: &Header, spool: &mut Spool) -> Result<u64, Fault> {
     for name in &header.normalized_faces {
         head += &format!("comment normalized_face {name}\n");
     }
+    head += &georeference_comment(&header.georeference);
     for texture in &header.texture_files {
         head += &format!("comment TextureFile {}\n", texture.name);
     }

@@ -31,7 +31,7 @@ mod write_textures;
 pub(crate) use stream::{CopyError, PlyStream};
 pub(crate) use write::to_bytes;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
-pub(crate) use write::{push_row, vertex_header};
+pub(crate) use write::{georeference_comment, push_row, vertex_header};
 
 use striata::mesh::IndexedMesh;
 

@@ -85,7 +85,7 @@ fn names_of(layers: &[impl Borrow<AttributeLayer>], of_triangles: bool) -> Vec<V
 }
 
 /// Comment that says where on the Earth a terrain is; empty if that is unknown.
-pub(super) fn georeference_comment(georeference: &str) -> String {
+pub(crate) fn georeference_comment(georeference: &str) -> String {
     if georeference.is_empty() {
         return String::new();
     }
