@@ -29,9 +29,11 @@ mod write_textures;
 
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub(crate) use stream::{CopyError, PlyStream};
+#[cfg(all(feature = "pieces", not(target_family = "wasm")))]
+pub(crate) use write::georeference_comment;
 pub(crate) use write::to_bytes;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
-pub(crate) use write::{georeference_comment, push_row, vertex_header};
+pub(crate) use write::{push_row, vertex_header};
 
 use striata::mesh::IndexedMesh;
 
