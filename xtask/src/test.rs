@@ -36,6 +36,7 @@ const FEATURES_ALONE: &[(&str, &str)] = &[
     ("striata-paged", "remote"),
     ("striata-render", ""),
     ("striata-scene", ""),
+    ("striata-tiles", ""),
     ("striata-scene", "textures"),
     ("striata-strip", ""),
     ("striata-cli", ""),
