@@ -114,7 +114,7 @@ fn decode(id: PageId, bytes: &[u8], metadata: &Metadata) -> Result<Page, PageDef
     let imports = count("imports", &mut rest)?;
     let triangles = count("triangles", &mut rest)?;
     let page_count = count("pages", &mut rest)?;
-    if page_count > imports || positions > vertices {
+    if page_count > imports || positions > vertices || (positions == 0 && vertices > 0) {
         return Err(PageDefect::Entry { what: "counts", index: 0, reason: "contradict each other" });
     }
     let mut pages: Vec<u32> = Vec::new();

@@ -7,7 +7,9 @@ use striata::mesh::{AttributeLayer, Image, IndexedMesh, LayerData, Random, Seman
 use striata::view::DetailBox;
 use striata_io::WriteOptions;
 use striata_paged::build::{BuildInput, BuildOptions, run_all};
-use striata_paged::{Assembled, CutPages, Page, PagedError, PagedFile, SuppliedStore, assemble};
+use striata_paged::{
+    Assembled, CutPages, Metadata, Page, PageId, PagedError, PagedFile, SuppliedStore, assemble,
+};
 use tempfile::TempDir;
 
 use crate::workshop::{attributed, borders, build, check_levels, full, open, options, plan, soup};
@@ -23,6 +25,15 @@ fn all_pages_are_the_input() {
     assert_eq!(terrain.refinable.mesh.triangle_count() as u64, metadata.triangle_count);
     assert_eq!(metadata.position_count, 150 * 150);
     assert!(terrain.refinable.sequence.triangle_count_at(0) < 100);
+}
+
+/// Nineteen vertices, but no position that they could have.
+#[test]
+fn pages_with_vertices_and_no_positions_are_refused() {
+    let metadata = Metadata { cell_counts: vec![4, 1], ..Metadata::default() };
+    let bytes = [0, 19, 0, 0, 0, 0, 35, 0, 131, 0, 0, 10, 41];
+    let error = Page::from_bytes(PageId { level: 0, cell: 0 }, &bytes, &metadata).err().unwrap();
+    assert!(error.to_string().contains("contradict each other"), "{error}");
 }
 
 #[test]
