@@ -24,7 +24,7 @@ pub enum TilesError {
         /// Error of the system.
         source: std::io::Error,
     },
-    /// Something else is where the tileset should be.
+    /// A file or folder that is no tileset has the name of the tileset.
     #[error("{}: {reason}", path.display())]
     Place {
         /// The output.

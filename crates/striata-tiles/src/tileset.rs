@@ -111,7 +111,7 @@ impl TileTree<'_> {
         if self.file_level(level).is_some() { format!("../{path}") } else { path }
     }
 
-    /// LevelTiers of the tile that begins the file in which tiles of a level are; `None` for the first file.
+    /// Level of the tile that begins the file in which tiles of a level are; `None` for the first file.
     fn file_level(&self, level: u32) -> Option<u32> {
         let first = level.max(1).next_multiple_of(FILE_LEVELS);
         (self.tiles.len() > MOST_TILES && first + 1 < self.errors.len() as u32).then_some(first)

@@ -505,3 +505,35 @@ fn data_of_textured_meshes_are_kept_or_named() {
     bench.run("convert plain.glb less.obj").success();
     assert!(bench.json("encode less.obj -o less.stri")["image_count"] == 1);
 }
+
+/// One triangle far away makes the grid coarser than all of the ball.
+#[test]
+fn rounding_that_merges_vertices_is_pointed_out() {
+    let bench = Workbench::new();
+    let mut mesh = striata::mesh::shapes::icosphere(3, 1.0);
+    let first = mesh.positions.len() as u32;
+    mesh.positions.extend([[1e8, 0.0, 0.0], [1e8, 8.0, 0.0], [1e8, 0.0, 8.0]]);
+    mesh.triangles.push([first, first + 1, first + 2]);
+    striata_io::write(bench.path("far.ply"), &mesh, &striata_io::WriteOptions::default()).unwrap();
+    let said = |line: &str| {
+        let run = bench.run(line).success();
+        String::from_utf8_lossy(&run.get_output().stderr).into_owned()
+    };
+    assert!(said("encode far.ply -o far.stri").contains("vertices fall on others"));
+    assert!(!said("encode far.ply -o exact.stri --lossless").contains("vertices fall on others"));
+}
+
+/// A mesh has no clips and no skin, which are named when a scene becomes one.
+#[test]
+fn motion_that_a_mesh_cannot_have_is_named() {
+    let bench = Workbench::new();
+    std::fs::copy(asset("arm.glb"), bench.path("arm.glb")).expect("the folder is ours");
+    let said = |line: &str| {
+        let run = bench.run(line).success();
+        String::from_utf8_lossy(&run.get_output().stderr).into_owned()
+    };
+    let of_mesh = said("simplify arm.glb -o arm.ply --ratio 0.5");
+    assert!(of_mesh.contains("left out: the mesh keeps its rest pose"), "{of_mesh}");
+    let of_scene = said("simplify arm.glb -o other.glb --ratio 0.5");
+    assert!(!of_scene.contains("rest pose"), "{of_scene}");
+}
