@@ -389,7 +389,7 @@ fn the_georeference_stays_with_the_mesh() {
     let obj = fs::read_to_string(folder.path().join("dem.obj")).unwrap();
     assert!(obj.starts_with("# georeference {"), "{obj}");
     let text = striata_io::WriteOptions::default().with_ascii(true);
-    striata_io::write(&folder.path().join("text.ply"), &mesh, &text).unwrap();
+    striata_io::write(folder.path().join("text.ply"), &mesh, &text).unwrap();
     for name in ["dem.ply", "text.ply", "dem.obj", "dem.glb"] {
         let path = folder.path().join(name);
         assert_eq!(striata_io::read(&path).unwrap().appearance.georeference, mesh.appearance.georeference);
