@@ -124,6 +124,12 @@ const KINDS: &[Foreign] = &[
     Foreign { what: "a Houdini file", magics: &[], extensions: &["hip", "bgeo"], hint: ITS_PROGRAM },
     Foreign { what: "a ZBrush file", magics: &[], extensions: &["ztl", "zpr"], hint: ITS_PROGRAM },
     Foreign {
+        what: "a raster or an image",
+        magics: &[b"II*\0", b"MM\0*", b"II+\0", b"MM\0+", b"\x89PNG\r\n\x1a\n"],
+        extensions: &["tif", "tiff", "hgt", "png"],
+        hint: "the command reads heights from files named .tif, .tiff, .hgt or .png that are not packed",
+    },
+    Foreign {
         what: "a tile of 3D Tiles",
         magics: &[b"b3dm", b"i3dm", b"cmpt"],
         extensions: &["b3dm", "i3dm", "cmpt"],
@@ -233,7 +239,7 @@ mod tests {
 
     #[test]
     fn the_content_wins_over_the_name() {
-        let cases: [(&[u8], &str, &str); 16] = [
+        let cases: [(&[u8], &str, &str); 18] = [
             (b"Kaydara FBX Binary  \0\x1a\0", "x", "an FBX file"),
             (b"; FBX 7.3.0 project file\n", "x.obj", "an FBX file"),
             (b"BLENDER-v300", "x.stl", "a Blender file"),
@@ -254,6 +260,8 @@ mod tests {
             (b"# .PCD v0.7\nVERSION 0.7", "x", "a point cloud (PCD)"),
             (b"1 2 3\n", "scan.xyz", "a point cloud (text)"),
             (b"", "part.SLDPRT", "a file of a CAD program"),
+            (b"MM\0*\0\0\0\x08", "x.txt", "a raster or an image"),
+            (b"\0\0\0\0", "n47e008.hgt", "a raster or an image"),
         ];
         for (bytes, name, expected) in cases {
             match error_of(name, bytes, name) {
@@ -263,7 +271,10 @@ mod tests {
                 other => panic!("{name}: {other:?}"),
             }
         }
-        assert!(error_of("x.txt", b"MM\0*\0\0\0\x08", "x.txt").is_none());
+        assert!(
+            error_of("x.txt", b"MM\0+\0\0\0\x08", "x.txt")
+                .is_some_and(|error| !error.to_string().contains("3D"))
+        );
         for kind in KINDS {
             assert!(
                 !kind

@@ -25,9 +25,21 @@ pub(crate) fn of_layers(
 pub(crate) fn of_materials(mesh: &IndexedMesh, format: Format, warnings: &mut Warnings) {
     for material in used_materials(mesh) {
         let Some(known) = mesh.appearance.materials.get(material) else { continue };
+        if is_added(known) {
+            continue;
+        }
         let label = label(material, &known.name);
         warnings.push(Place::File, format!("{format} cannot store the material {label}; it is left out"));
     }
+}
+
+#[cfg(feature = "gltf")]
+pub(crate) use crate::gltf::is_added;
+
+/// Whether a material is one that the writer of glTF adds: without that format, none is.
+#[cfg(not(feature = "gltf"))]
+pub(crate) fn is_added(_: &striata::mesh::Material) -> bool {
+    false
 }
 
 /// Returns the name of a material for messages; its number if it has no name.

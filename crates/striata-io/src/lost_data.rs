@@ -64,10 +64,15 @@ pub fn scene_losses(format: Format, scene: &crate::Scene, file: &str) -> Vec<War
 /// Warns of what moves a scene: a mesh has only the pose in which it is stored.
 #[cfg(feature = "gltf")]
 fn warn_of_motion(scene: &crate::Scene, warnings: &mut Warnings) {
-    let count = |key: &str| scene.document().get(key).and_then(|list| list.as_array()).map_or(0, Vec::len);
     let layers = scene.meshes().iter().flatten().flat_map(|mesh| &mesh.layers);
-    let has_targets = |layer: &AttributeLayer| matches!(layer.semantic, Semantic::MorphPosition(_));
-    let targets = layers.filter(|layer| has_targets(layer)).count();
+    let targets = layers.filter(|layer| matches!(layer.semantic, Semantic::MorphPosition(_))).count();
+    warn_of_motion_in(scene.document(), targets, warnings);
+}
+
+/// Warns of the animations and skins of a glTF document and of this many morph targets, which a mesh cannot have.
+#[cfg(feature = "gltf")]
+pub(crate) fn warn_of_motion_in(document: &serde_json::Value, targets: usize, warnings: &mut Warnings) {
+    let count = |key: &str| document.get(key).and_then(|list| list.as_array()).map_or(0, Vec::len);
     for (count, one, many) in [
         (count("animations"), "animation is", "animations are"),
         (count("skins"), "skin is", "skins are"),

@@ -96,7 +96,7 @@ fn damaged_compressed_files_are_refused() {
 
 #[test]
 fn the_name_decides_if_the_content_does_not() {
-    assert!(meshes::refused("x.png", b"\x89PNG").contains("neither the content nor the extension"));
+    assert!(meshes::refused("x.png", b"\x89PNG").contains("this is a raster or an image"));
     assert!(meshes::refused("x.striata", b"STRIATA\0abc").contains("extract a level"));
     assert!(
         striata_io::read("/no/such/file.ply").unwrap_err().to_string().starts_with("/no/such/file.ply: ")

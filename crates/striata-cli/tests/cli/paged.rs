@@ -148,11 +148,14 @@ fn mistakes_have_messages() {
         ("build missing.ply -o a.striata --paged", "missing.ply"),
         ("build shape:terrain:100 -o missing/a.striata", "does not exist"),
         ("run missing.work", "missing.work"),
+        ("plan broken.ply -o a.striata", "broken.ply: line 1"),
     ];
+    bench.write("broken.ply", "x");
     for (arguments, expected) in cases {
         let message = stderr(&bench.run(arguments).failure());
         assert!(message.contains(expected), "{arguments}: {message}");
     }
+    assert!(!bench.path("a.striata.work").exists());
     bench.run("build shape:terrain:100 -o a.striata --cell 4000").success();
     let model = bench.run("extract a.striata -o a.ply --triangles 100 --model mts").failure();
     assert!(stderr(&model).contains("no models"));
@@ -229,6 +232,10 @@ fn borders_that_differ_a_little_are_joined() {
         assert_eq!(joined(&format!("--weld-distance {distance}")), 6 * 49, "{distance}");
     }
     assert_eq!(joined("--weld-distance 0.001 --exact"), 6 * 49);
+    let near = bench.run("build a.ply b.ply -o ab.striata --weld-distance 0.001").success();
+    assert!(!stderr(&near).contains("the median edge"), "{}", stderr(&near));
+    let far = bench.run("build a.ply b.ply -o ab.striata --weld-distance 30").success();
+    assert!(stderr(&far).contains("triangles vanish"), "{}", stderr(&far));
 }
 
 #[test]

@@ -521,6 +521,11 @@ fn rounding_that_merges_vertices_is_pointed_out() {
     };
     assert!(said("encode far.ply -o far.stri").contains("vertices fall on others"));
     assert!(!said("encode far.ply -o exact.stri --lossless").contains("vertices fall on others"));
+    assert!(!said("convert far.ply -o far.glb").contains("vertices fall on others"));
+    for options in ["--quantize", "--meshopt", "--draco"] {
+        let remark = said(&format!("convert far.ply -o far.glb {options}"));
+        assert_eq!(remark.matches("vertices fall on others").count(), 1, "{options}: {remark}");
+    }
 }
 
 /// A mesh has no clips and no skin, which are named when a scene becomes one.
@@ -532,8 +537,12 @@ fn motion_that_a_mesh_cannot_have_is_named() {
         let run = bench.run(line).success();
         String::from_utf8_lossy(&run.get_output().stderr).into_owned()
     };
-    let of_mesh = said("simplify arm.glb -o arm.ply --ratio 0.5");
-    assert!(of_mesh.contains("left out: the mesh keeps its rest pose"), "{of_mesh}");
+    for line in
+        ["simplify arm.glb -o arm.ply --ratio 0.5", "convert arm.glb -o arm.ply", "strip arm.glb -o s.glb"]
+    {
+        let of_mesh = said(line);
+        assert_eq!(of_mesh.matches("left out: the mesh keeps its rest pose").count(), 2, "{of_mesh}");
+    }
     let of_scene = said("simplify arm.glb -o other.glb --ratio 0.5");
     assert!(!of_scene.contains("rest pose"), "{of_scene}");
 }

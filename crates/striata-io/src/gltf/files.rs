@@ -13,14 +13,20 @@ use crate::image_files::ImageFiles;
 use crate::report::Warnings;
 use crate::{Format, WriteOptions};
 
+/// Destination of a document, and of the remarks on what its compression changes.
+pub(crate) struct GltfContainer<'f, 'm> {
+    form: Form<'f, 'm>,
+    warnings: &'f mut Warnings,
+}
+
 /// Destination of the binary data and images of a document.
-pub(crate) enum GltfContainer<'f, 'm> {
+enum Form<'f, 'm> {
     /// Into the file, which is GLB.
     Glb,
     /// Into the file, as text.
     Embedded,
     /// Into files next to it.
-    Files { images: &'f mut ImageFiles<'m>, warnings: &'f mut Warnings, output: &'f Path },
+    Files { images: &'f mut ImageFiles<'m>, output: &'f Path },
 }
 
 impl<'f, 'm> GltfContainer<'f, 'm> {
@@ -32,25 +38,27 @@ impl<'f, 'm> GltfContainer<'f, 'm> {
         images: &'f mut ImageFiles<'m>,
         warnings: &'f mut Warnings,
     ) -> Self {
-        match path {
-            _ if format == Format::Glb => Self::Glb,
-            Some(output) if !options.embed => Self::Files { images, warnings, output },
-            _ => Self::Embedded,
-        }
+        let form = match path {
+            _ if format == Format::Glb => Form::Glb,
+            Some(output) if !options.embed => Form::Files { images, output },
+            _ => Form::Embedded,
+        };
+        Self { form, warnings }
     }
 
     /// Returns the URI of each image that becomes a file of its own.
     pub(super) fn image_uris(&mut self, all: &[Image]) -> Vec<Option<String>> {
-        let Self::Files { images, warnings, .. } = self else { return Vec::new() };
+        let Self { form: Form::Files { images, .. }, warnings } = self else { return Vec::new() };
         let is_stored = |image: &Image| !image.bytes.is_empty() && !image.mime_type.is_empty();
         let mut name_of = |index: usize| images.name_of(index, warnings);
         let stored = all.iter().enumerate().map(|(index, image)| is_stored(image).then_some(index));
         stored.map(|index| name_of(index?).as_deref().map(encoded)).collect()
     }
 
-    /// Returns the contents of the file itself.
-    pub(super) fn packed(self, mut parts: GltfParts) -> Result<Vec<u8>, Refusal> {
-        if matches!(self, Self::Glb) {
+    /// Quantizes and compresses a document as the options say, and returns the contents of the file itself.
+    pub(super) fn packed(self, mut parts: GltfParts, options: &WriteOptions) -> Result<Vec<u8>, Refusal> {
+        parts.apply(options, self.warnings)?;
+        if matches!(self.form, Form::Glb) {
             return container::joined(parts.to_json().into_bytes(), parts.binary)
                 .ok_or_else(|| Refusal::Unsupported("the file would be larger than 4 GiB".to_owned()));
         }
@@ -62,7 +70,7 @@ impl<'f, 'm> GltfContainer<'f, 'm> {
     }
 
     fn buffer_uri(self, binary: Vec<u8>) -> String {
-        let Self::Files { images, warnings, output } = self else {
+        let Self { form: Form::Files { images, output }, warnings } = self else {
             return format!("data:application/octet-stream;base64,{}", uri::to_base64(&binary));
         };
         let name = output.file_name().map(|name| name.to_string_lossy().into_owned());

@@ -101,6 +101,7 @@ pub(crate) use georeference::{add_georeference, georeference_in, is_terrain, pla
 pub(crate) use importance::usable as usable_importance;
 pub(crate) use references::{entries, has_triangles, is_blended};
 pub(crate) use semantics::target_of;
+pub(crate) use shading::is_added;
 pub use shading::shaded;
 pub(crate) use shown_meshes::shown_meshes;
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]

@@ -5,7 +5,7 @@
 
 use std::borrow::Cow;
 
-use serde_json::json;
+use serde_json::{Value, json};
 use striata::mesh::{IndexedMesh, Material, PositionEdges, Semantic, TriangleGroup};
 
 /// Returns the mesh with smooth normals up to creases of 50 degrees, if it has none, and with a matte material, if it
@@ -34,21 +34,34 @@ pub fn shaded(mesh: &IndexedMesh) -> Cow<'_, IndexedMesh> {
 /// Light that a mesh without colors reflects: a white one loses its shading under the lights of most viewers.
 const GRAY: f64 = 0.5;
 
-/// Gives all triangles a matte material; the backs of triangles are shown if they can be seen.
+/// Gives all triangles a matte material.
 fn add_material(mesh: &mut IndexedMesh, is_solid: bool) {
-    let mut material = json!({ "pbrMetallicRoughness": { "metallicFactor": 0.0, "roughnessFactor": 0.9 } });
-    if mesh.layer(&Semantic::Color(0)).is_none() {
-        material["pbrMetallicRoughness"]["baseColorFactor"] = json!([GRAY, GRAY, GRAY, 1.0]);
-    }
-    if !is_solid {
-        material["doubleSided"] = json!(true);
-    }
+    let material = matte(mesh.layer(&Semantic::Color(0)).is_none(), is_solid);
     mesh.appearance.materials = vec![Material { name: String::new(), gltf_json: material.to_string() }];
     if mesh.groups.is_empty() {
         let (first, count) = (0, mesh.triangles.len() as u32);
         mesh.groups = vec![TriangleGroup { name: String::new(), material: None, first, count }];
     }
     mesh.groups.iter_mut().for_each(|group| group.material = Some(0));
+}
+
+/// A matte material; the backs of triangles are shown if they can be seen.
+fn matte(is_gray: bool, is_solid: bool) -> Value {
+    let mut material = json!({ "pbrMetallicRoughness": { "metallicFactor": 0.0, "roughnessFactor": 0.9 } });
+    if is_gray {
+        material["pbrMetallicRoughness"]["baseColorFactor"] = json!([GRAY, GRAY, GRAY, 1.0]);
+    }
+    if !is_solid {
+        material["doubleSided"] = json!(true);
+    }
+    material
+}
+
+/// Whether a material is one that [`shaded`] adds, which is no loss to a format without materials.
+pub(crate) fn is_added(material: &Material) -> bool {
+    let known = [(false, false), (false, true), (true, false), (true, true)];
+    let is_known = |json: Value| known.iter().any(|&(is_gray, is_solid)| json == matte(is_gray, is_solid));
+    material.name.is_empty() && serde_json::from_str(&material.gltf_json).is_ok_and(is_known)
 }
 
 #[cfg(test)]
@@ -76,5 +89,9 @@ mod tests {
         assert_eq!(shown.triangles, mesh.triangles);
         assert!(shown.appearance.materials[0].gltf_json.contains("doubleSided"), "it is open");
         assert_eq!(shaded(&shown).into_owned(), shown);
+        let mut material = shown.appearance.materials[0].clone();
+        assert!(is_added(&material));
+        material.name = "steel".to_owned();
+        assert!(!is_added(&material), "it is the file's own");
     }
 }

@@ -1,10 +1,11 @@
-//! Primitives that draw points and lines: a scene carries them, a mesh does not have them.
+//! Points, lines and motion: a scene carries them, a mesh does not have them.
 
 use serde_json::Value;
 
 use super::document::GltfDocument;
 use super::json::JsonNode;
 use crate::error::{Fault, Place};
+use crate::lost_data::warn_of_motion_in;
 use crate::report::{WarningKind, Warnings, with_commas};
 
 /// Calls `visit` with each primitive that draws points (mode 0) or lines.
@@ -52,8 +53,14 @@ pub(crate) fn check_triangles(document: &GltfDocument<'_>, has_none: bool) -> Re
     if found.is_empty() { Ok(()) } else { Err(Fault::NoTriangles(found.join(", "))) }
 }
 
-/// Counts the primitives that a mesh cannot have.
+/// Warns of the primitives that a mesh cannot have, and of what moves.
 pub(crate) fn left_out(document: &GltfDocument<'_>, warnings: &mut Warnings) -> Result<(), Fault> {
+    let list = |value: &Value, key: &str| value.get(key).and_then(Value::as_array).map_or(0, Vec::len);
+    let mut targets = 0;
+    for mesh in document.root.entries("meshes")? {
+        targets += mesh.values("primitives")?.iter().map(|own| list(own, "targets")).max().unwrap_or(0);
+    }
+    warn_of_motion_in(document.root.value, targets, warnings);
     let kind = WarningKind("primitive left out", "primitives left out");
     visit_shapes(document, |primitive, mode| {
         let what = if mode == 0 { "points" } else { "lines" };

@@ -30,9 +30,7 @@ pub(crate) fn to_bytes(
     mut container: GltfContainer<'_, '_>,
 ) -> Result<Vec<u8>, Refusal> {
     let image_uris = container.image_uris(&mesh.appearance.images);
-    let mut parts = document(mesh, options, image_uris)?;
-    parts.apply(options)?;
-    container.packed(parts)
+    container.packed(document(mesh, options, image_uris)?, options)
 }
 
 fn document(

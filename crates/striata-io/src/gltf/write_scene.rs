@@ -32,9 +32,7 @@ pub(crate) fn scene_to_bytes(
     mut container: GltfContainer<'_, '_>,
 ) -> Result<Vec<u8>, Refusal> {
     let image_uris = container.image_uris(writer.scene.images());
-    let mut parts = document(writer, options, image_uris)?;
-    parts.apply(options)?;
-    container.packed(parts)
+    container.packed(document(writer, options, image_uris)?, options)
 }
 
 fn document(

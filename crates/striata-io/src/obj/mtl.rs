@@ -3,7 +3,8 @@
 //! The parser is our own. `tobj::load_mtl_buf` panics on `Kd` with fewer than three numbers, rejects a whole
 //! file for one malformed number or one byte that is not UTF-8, distinguishes upper and lower case (exporters
 //! write `map_Bump`, `map_bump`, `Map_Kd`), keeps the options of a texture as part of its name, and gives no
-//! line numbers. Here a malformed statement is skipped with a warning, and unknown statements are ignored.
+//! line numbers. Here a malformed statement is skipped with a warning, and so are those that no material can have; unknown
+//! statements are ignored.
 //!
 //! Keywords are compared without case. If a statement is repeated within a material, the last one counts.
 
@@ -148,6 +149,9 @@ impl Definition {
             b"bump" | b"map_bump" => MapKind::Bump,
             b"map_pr" => MapKind::Roughness,
             b"map_pm" => MapKind::Metallic,
+            _ if is_lost(keyword) => {
+                return Err(cursor.fault(format!("{} has no counterpart in glTF", quoted(keyword))));
+            }
             _ => return Ok(()),
         };
         let line = cursor.line();
@@ -157,6 +161,13 @@ impl Definition {
         }
         Ok(())
     }
+}
+
+/// Whether a statement says how a surface looks, but no material can have it. `Ka` and `Ni` are in most libraries, as
+/// defaults of the exporter, and not worth a remark.
+fn is_lost(keyword: &[u8]) -> bool {
+    let is_map = keyword.starts_with(b"map_") && keyword != b"map_aat";
+    is_map || [&b"disp"[..], b"decal", b"refl", b"tf", b"pc", b"ps", b"aniso"].contains(&keyword)
 }
 
 /// Reads a color; one number stands for gray.
@@ -216,10 +227,15 @@ mod tests {
     #[test]
     fn malformed_statements_are_skipped() {
         let text = b"newmtl a\nKd 1 0\nKs x\nNs nan\nillum 1.5\nmap_Kd\nmap_Ke -s 1 1 1\nKd spectral x.rfl\n\
-            d 0.5\n\xff\xfe 1";
+            map_Ks s.png\nTf 1 0 0\nd 0.5\n\xff\xfe 1\nKa 1 1 1\nmap_Ks t.png";
         let (library, warnings) = parse_all(text, &["a"]);
         let lines: Vec<&str> = warnings.iter().map(|w| w.split(": ").nth(1).unwrap()).collect();
-        assert_eq!(lines, (2..=8).map(|line| format!("line {line}")).collect::<Vec<_>>());
+        assert!(
+            warnings[7].starts_with("x.mtl: line 9: `map_ks` has no counterpart in glTF"),
+            "{}",
+            warnings[7]
+        );
+        assert_eq!(lines, (2..=10).map(|line| format!("line {line}")).collect::<Vec<_>>());
         let expected =
             "x.mtl: line 2: expected a number, found the end of the line; the statement is skipped";
         assert_eq!(warnings[0], expected);

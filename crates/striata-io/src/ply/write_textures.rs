@@ -12,7 +12,7 @@ use crate::Format;
 use crate::error::Place;
 use crate::gltf_json::{TextureInfo, float};
 use crate::image_files::ImageFiles;
-use crate::losses::{label, of_group_names, used_materials};
+use crate::losses::{is_added, label, of_group_names, used_materials};
 use crate::report::Warnings;
 use crate::text::{push_f32, push_one_minus_f32};
 
@@ -61,7 +61,7 @@ fn name_of(
     images: &mut ImageFiles<'_>,
     warnings: &mut Warnings,
 ) -> Option<String> {
-    let known = mesh.appearance.materials.get(material)?;
+    let known = mesh.appearance.materials.get(material).filter(|known| !is_added(known))?;
     let value: Value = serde_json::from_str(&known.gltf_json).unwrap_or_default();
     let info = value.pointer("/pbrMetallicRoughness/baseColorTexture");
     let info = info.and_then(|info| TextureInfo::of(info, &mesh.appearance));

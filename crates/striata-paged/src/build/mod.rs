@@ -80,10 +80,26 @@ impl PagedPlan {
         threads: usize,
         progress: &mut ProgressFn<'_>,
     ) -> Result<Self, PagedBuildError> {
-        let BuildPaths { output, folder } = paths;
         // Report an output that cannot be written before hours of work, not after them.
-        finish_task::ResultDestination::of(output)?.check()?;
-        fs::create_dir_all(folder).map_err(|source| PagedBuildError::io(folder, source))?;
+        finish_task::ResultDestination::of(paths.output)?.check()?;
+        let is_new = !paths.folder.exists();
+        fs::create_dir_all(paths.folder).map_err(|source| PagedBuildError::io(paths.folder, source))?;
+        let made = Self::make_in_folder(input, options, paths, threads, progress);
+        if made.is_err() && is_new {
+            // It stays if something else is in it.
+            let _ = fs::remove_dir(paths.folder);
+        }
+        made
+    }
+
+    fn make_in_folder(
+        input: BuildInput,
+        options: BuildOptions,
+        paths: BuildPaths<'_>,
+        threads: usize,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Self, PagedBuildError> {
+        let folder = paths.folder;
         let mut inputs = input.states()?;
         let source = input.open(&options.piece_options(folder))?;
         inputs.extend(input::states_of(&source.summary().companions)?);

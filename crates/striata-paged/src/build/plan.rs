@@ -99,9 +99,9 @@ pub struct PagedPlan {
     /// Warnings about parts left out when the input was read for the plan; empty for a plan that is opened again.
     #[serde(skip)]
     pub warnings: Vec<striata_io::Warning>,
-    /// Remark on how positions are stored; `None` for a plan that is opened again.
+    /// Remarks on how positions are stored and welded; empty for a plan that is opened again.
     #[serde(skip)]
-    pub note: Option<&'static str>,
+    pub notes: Vec<String>,
     #[serde(skip)]
     partition: Option<Partition>,
     #[serde(skip)]
@@ -113,8 +113,8 @@ pub(super) struct Scanned {
     pub metadata: Metadata,
     pub partition: Partition,
     pub piece_count: u64,
-    /// Remark on how positions are stored.
-    pub note: Option<&'static str>,
+    /// Remarks on how positions are stored and welded.
+    pub notes: Vec<String>,
     /// Positions that are welded to others, if a distance was given.
     pub weld: Option<WeldMap>,
 }
@@ -127,7 +127,7 @@ impl PagedPlan {
         scanned: Scanned,
         paths: BuildPaths<'_>,
     ) -> Self {
-        let Scanned { metadata, partition, piece_count, note, weld } = scanned;
+        let Scanned { metadata, partition, piece_count, notes, weld } = scanned;
         let mut tasks = Vec::new();
         let mut bundle = |kind: TaskKind, count: u64, size: u64| {
             for first in (0..count).step_by(size as usize) {
@@ -159,7 +159,7 @@ impl PagedPlan {
             tasks,
             folder: paths.folder.to_owned(),
             warnings,
-            note,
+            notes,
             partition,
             weld,
         }

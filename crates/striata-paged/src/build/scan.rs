@@ -78,9 +78,19 @@ pub(super) fn scan(
     let mut metadata = describe(source, options, &total);
     metadata.cell_counts = partition.levels().iter().map(|level| level.cell_count()).collect();
     let is_too_large = !options.exact && metadata.grid.is_none();
-    let note =
-        is_too_large.then_some("positions are kept bit for bit: the bounds are too large to round them");
-    Ok(Scanned { metadata, partition, piece_count: count, note, weld })
+    let mut notes = Vec::new();
+    if is_too_large {
+        let note = "positions are kept bit for bit: the bounds are too large to round them";
+        notes.push(note.to_owned());
+    }
+    let edge = median(&total.edges);
+    if let Some(distance) = options.weld_distance.filter(|distance| 2.0 * distance > edge) {
+        notes.push(format!(
+            "the median edge is {edge:.3} long, so --weld-distance {distance} may also join vertices of one file, and \
+             triangles vanish"
+        ));
+    }
+    Ok(Scanned { metadata, partition, piece_count: count, notes, weld })
 }
 
 /// Number of levels before the base mesh. Every level but the last leaves a quarter of the triangles; only the

@@ -114,7 +114,8 @@ fn decode(id: PageId, bytes: &[u8], metadata: &Metadata) -> Result<Page, PageDef
     let imports = count("imports", &mut rest)?;
     let triangles = count("triangles", &mut rest)?;
     let page_count = count("pages", &mut rest)?;
-    if page_count > imports || positions > vertices || (positions == 0 && vertices > 0) {
+    let is_empty = positions == 0 && (vertices > 0 || (imports == 0 && triangles > 0));
+    if page_count > imports || positions > vertices || is_empty {
         return Err(PageDefect::Entry { what: "counts", index: 0, reason: "contradict each other" });
     }
     let mut pages: Vec<u32> = Vec::new();

@@ -27,13 +27,16 @@ fn all_pages_are_the_input() {
     assert!(terrain.refinable.sequence.triangle_count_at(0) < 100);
 }
 
-/// Nineteen vertices, but no position that they could have.
+/// Nineteen vertices, but no position that they could have, and 32 triangles without vertices.
 #[test]
-fn pages_with_vertices_and_no_positions_are_refused() {
+fn pages_whose_counts_contradict_each_other_are_refused() {
     let metadata = Metadata { cell_counts: vec![4, 1], ..Metadata::default() };
-    let bytes = [0, 19, 0, 0, 0, 0, 35, 0, 131, 0, 0, 10, 41];
-    let error = Page::from_bytes(PageId { level: 0, cell: 0 }, &bytes, &metadata).err().unwrap();
-    assert!(error.to_string().contains("contradict each other"), "{error}");
+    let no_positions: &[u8] = &[0, 19, 0, 0, 0, 0, 35, 0, 131, 0, 0, 10, 41];
+    let no_vertices: &[u8] = b"\0\0\0 \0`cci*cccc\0.";
+    for bytes in [no_positions, no_vertices] {
+        let error = Page::from_bytes(PageId { level: 0, cell: 0 }, bytes, &metadata).err().unwrap();
+        assert!(error.to_string().contains("contradict each other"), "{error}");
+    }
 }
 
 #[test]

@@ -84,13 +84,7 @@ pub(crate) fn build(
             made.map_err(failure)?
         }
     };
-    if let Err(refused) = output.warn(&plan.warnings) {
-        plan.remove_work().map_err(failure)?;
-        return Err(refused);
-    }
-    if let Some(note) = plan.note {
-        output.say(&format!("note: {note}"));
-    }
+    say_remarks(&plan, output)?;
     check_space(&plan)?;
     let run = run_all(&plan, threads, &mut |p| bar.show(p));
     if matches!(run, Err(PagedBuildError::Merging { .. } | PagedBuildError::Base { .. })) {
@@ -151,13 +145,23 @@ pub(crate) fn build_pages(
     let mut bar = output.bar();
     let paths = BuildPaths { output: path, folder: &folder };
     let plan = PagedPlan::make(input, options, paths, threads, &mut |p| bar.show(p)).map_err(failure)?;
-    output.warn(&plan.warnings)?;
-    if let Some(note) = plan.note {
-        output.say(&format!("note: {note}"));
-    }
+    say_remarks(&plan, output)?;
     check_space(&plan)?;
     run_all(&plan, threads, &mut |p| bar.show(p)).map_err(failure)?;
     plan.remove_work().map_err(failure)
+}
+
+/// Says what is remarkable about the input of a plan. Removes the plan if warnings count as errors.
+///
+/// # Errors
+/// A warning that counts as an error.
+pub(super) fn say_remarks(plan: &PagedPlan, output: &Output) -> Result<(), Failure> {
+    if let Err(refused) = output.warn(&plan.warnings) {
+        plan.remove_work().map_err(failure)?;
+        return Err(refused);
+    }
+    plan.notes.iter().for_each(|note| output.say(&format!("note: {note}")));
+    Ok(())
 }
 
 /// Number of threads that run tasks.

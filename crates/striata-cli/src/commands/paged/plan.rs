@@ -7,7 +7,7 @@ use striata_command::failure::Failure;
 use striata_command::output::{Output, Table, format_bytes, format_count, format_duration};
 use striata_paged::build::{BuildPaths, BuildStage, PagedPlan, Simulation, SimulationOptions};
 
-use super::build::limited;
+use super::build::{limited, say_remarks};
 use super::input::{build_input, build_options, work_folder};
 use super::{core_count, failure};
 use crate::args::PlanArgs;
@@ -52,10 +52,7 @@ pub(crate) fn plan(args: &PlanArgs, output: &Output) -> Result<(), Failure> {
     );
     let plan = plan.map_err(failure)?;
     drop(bar);
-    if let Err(refused) = output.warn(&plan.warnings) {
-        plan.remove_work().map_err(failure)?;
-        return Err(refused);
-    }
+    say_remarks(&plan, output)?;
     let estimate = plan.estimate();
     let report = PlanReport {
         plan: folder.join("plan.json"),

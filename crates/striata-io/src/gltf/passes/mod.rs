@@ -30,6 +30,7 @@ mod tests;
 
 use crate::WriteOptions;
 use crate::error::Refusal;
+use crate::report::Warnings;
 use draco::draco;
 use gather::gather;
 use meshopt::meshopt;
@@ -37,11 +38,11 @@ pub(crate) use parts::{GltfParts, WrittenArray};
 use quantize::{Texcoords, quantize};
 
 impl GltfParts {
-    /// Runs the passes that the options ask for.
+    /// Runs the passes that the options ask for, and warns if rounding makes many vertices fall on others.
     ///
     /// # Errors
     /// If the options contradict each other, or this build lacks a compression.
-    pub(crate) fn apply(&mut self, options: &WriteOptions) -> Result<(), Refusal> {
+    pub(crate) fn apply(&mut self, options: &WriteOptions, warnings: &mut Warnings) -> Result<(), Refusal> {
         if options.draco && options.meshopt {
             let reason = "it cannot be compressed with both Draco and meshoptimizer".to_owned();
             return Err(Refusal::Unsupported(reason));
@@ -60,12 +61,12 @@ impl GltfParts {
         }
         if options.draco {
             // Draco quantizes by itself.
-            draco(self, options.quantize.as_ref());
+            draco(self, options.quantize.as_ref(), warnings);
             return Ok(());
         }
         if let Some(quantization) = &options.quantize {
             let texcoords = if options.meshopt { Texcoords::Floats } else { Texcoords::Integers };
-            quantize(self, quantization, texcoords);
+            quantize(self, (quantization, texcoords), warnings);
         }
         if options.meshopt {
             meshopt(self, options.quantize.as_ref());

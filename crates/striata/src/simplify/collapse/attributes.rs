@@ -101,15 +101,16 @@ struct WedgeSide {
     wedge: u32,
     /// Area of its triangles.
     area: f32,
-    /// Least squared distance to this side of the fan, and the differences there.
+    /// Least squared distance to this side of the fan, and the triangle of the star and the barycentric coordinates
+    /// there.
     distance: f32,
-    error: f32,
-    highlight: f32,
+    triangle: usize,
+    weights: [f32; 3],
 }
 
 impl Default for WedgeSide {
     fn default() -> Self {
-        Self { wedge: u32::MAX, area: 0.0, distance: f32::INFINITY, error: 0.0, highlight: 0.0 }
+        Self { wedge: u32::MAX, area: 0.0, distance: f32::INFINITY, triangle: 0, weights: [0.0; 3] }
     }
 }
 
@@ -361,15 +362,18 @@ impl AttributeSpace {
             let [x, y, z] = nearest(u, a, b);
             let distance = (u * x + a * y + b * z).length_squared();
             if distance < side.distance {
-                let target = wedges.map_or(star.ring.ids[k], |w| w.paired(wedge, star.ring.ids[k]));
-                let corners = [target, vertex_at(t, star.ring.ids[i]), vertex_at(t, star.ring.ids[j])];
-                side.distance = distance;
-                side.error = self.interpolation_error(wedge, corners, [x, y, z]);
-                side.highlight = self.highlight_error(wedge, corners, [x, y, z]);
+                (side.distance, side.triangle, side.weights) = (distance, t, [x, y, z]);
             }
         }
-        let highlights: f32 = sides.iter().map(|side| side.area * side.area * side.highlight).sum();
-        star.area() * sides.iter().map(|side| side.error).sum::<f32>() + highlights + CORNER_SHARE * crossing
+        let (mut errors, mut highlights) = (0.0, 0.0);
+        for side in sides.iter().filter(|side| side.distance < f32::INFINITY) {
+            let [i, j] = star.ring.triangle(side.triangle).map(|corner| star.ring.ids[corner]);
+            let target = wedges.map_or(star.ring.ids[k], |w| w.paired(side.wedge, star.ring.ids[k]));
+            let corners = [target, vertex_at(side.triangle, i), vertex_at(side.triangle, j)];
+            errors += self.interpolation_error(side.wedge, corners, side.weights);
+            highlights += side.area * side.area * self.highlight_error(side.wedge, corners, side.weights);
+        }
+        star.area() * errors + highlights + CORNER_SHARE * crossing
     }
 
     /// Cost of what collapsing `v` to neighbor `k` of its star changes in the colors that textures show; the

@@ -5,8 +5,6 @@
 //! for the triangles around it. A collapse adds to it how far its new edges stick out of the star that they
 //! replace, and the triangles themselves are measured only if the bound exceeds the largest error so far.
 
-use glam::Vec3;
-
 use crate::mesh::Welded;
 
 use super::fan::nearest;
@@ -75,6 +73,8 @@ impl OutwardBounds {
         worst: f32,
     ) -> f32 {
         let original = self.original.get_or_insert_with(|| snapshot_of(welded, positions));
+        // Samples next to each other are near the same triangle, and one that is near enough ends the search.
+        let mut near = None;
         let mut farthest = MEASURED_SHARE * MEASURED_SHARE * worst;
         for e in edges {
             let corners = [u, e.a, e.b].map(|p| point(positions, p));
@@ -83,8 +83,22 @@ impl OutwardBounds {
                 // Corners are vertices of the original, so the nearest corner bounds the distance.
                 let bound = corners.iter().map(|c| c.distance_squared(from)).fold(f32::INFINITY, f32::min);
                 if bound > farthest {
-                    farthest =
-                        farthest.max(distance_squared_from(original, positions, from, bound, farthest));
+                    let distance = |triangle: &SnapshotTriangle| {
+                        let [a, b, c] = triangle.positions.map(|p| point(positions, p) - from);
+                        let [x, y, z] = nearest(a, b, c);
+                        (a * x + b * y + c * z).length_squared()
+                    };
+                    let mut least = near.as_ref().map_or(bound, |near| bound.min(distance(near)));
+                    if least > farthest {
+                        original.visit_near(positions, from, least, |triangle| {
+                            let found = distance(triangle);
+                            if found < least {
+                                (least, near) = (found, Some(*triangle));
+                            }
+                            if least <= farthest { 0.0 } else { least }
+                        });
+                    }
+                    farthest = farthest.max(least);
                 }
             }
         }
@@ -98,25 +112,6 @@ fn snapshot_of(welded: &Welded, positions: &[[f32; 4]]) -> SurfaceSnapshot {
         vertices,
     };
     SurfaceSnapshot::of_triangles(welded.mesh.triangles.iter().map(of).collect(), positions)
-}
-
-/// Squared distance of a point from the tree's triangles, at most `known`; the search stops once it is
-/// within `enough`.
-fn distance_squared_from(
-    snapshot: &SurfaceSnapshot,
-    positions: &[[f32; 4]],
-    from: Vec3,
-    known: f32,
-    enough: f32,
-) -> f32 {
-    let mut least = known;
-    snapshot.visit_near(positions, from, least, |triangle| {
-        let [a, b, c] = triangle.positions.map(|p| point(positions, p) - from);
-        let [x, y, z] = nearest(a, b, c);
-        least = least.min((a * x + b * y + c * z).length_squared());
-        if least <= enough { 0.0 } else { least }
-    });
-    least
 }
 
 #[cfg(test)]

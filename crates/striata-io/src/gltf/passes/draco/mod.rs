@@ -15,14 +15,19 @@ mod encode;
 
 use super::parts::GltfParts;
 use crate::QuantizeOptions;
+use crate::report::Warnings;
 
 /// Compresses a document; without `quantization`, floats are kept exactly.
 #[cfg(not(feature = "draco"))]
-pub(in crate::gltf) fn draco(_: &mut GltfParts, _: Option<&QuantizeOptions>) {}
+pub(in crate::gltf) fn draco(_: &mut GltfParts, _: Option<&QuantizeOptions>, _: &mut Warnings) {}
 
 /// Compresses a document; without `quantization`, floats are kept exactly.
 #[cfg(feature = "draco")]
-pub(in crate::gltf) fn draco(parts: &mut GltfParts, quantization: Option<&QuantizeOptions>) {
+pub(in crate::gltf) fn draco(
+    parts: &mut GltfParts,
+    quantization: Option<&QuantizeOptions>,
+    warnings: &mut Warnings,
+) {
     use std::collections::{BTreeMap, BTreeSet};
 
     use serde_json::json;
@@ -42,6 +47,9 @@ pub(in crate::gltf) fn draco(parts: &mut GltfParts, quantization: Option<&Quanti
     let (mut known, mut replaced) = (BTreeMap::new(), BTreeSet::new());
     let (primitives, are_read) = primitives(&snapshot);
     let grids = quantization.map(|options| grids(&document, &primitives, &are_read, options));
+    if let Some(grids) = &grids {
+        grids.warn_of_merging(&document, &primitives, warnings);
+    }
     for primitive in &primitives {
         let is_free = extensions::are_free_of_order(&primitive.extensions);
         if !primitive.has_triangles() || !primitive.targets.is_empty() || !is_free {

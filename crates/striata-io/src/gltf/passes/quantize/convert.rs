@@ -7,13 +7,10 @@ use crate::gltf::passes::elements::Elements;
 
 /// Rounds positions to a grid.
 pub(super) fn positions(numbers: &[f32], grid: &MeshGrid) -> Elements {
-    let [last, step] = [f64::from(grid.last), f64::from(grid.step)];
-    let rounded = |(i, &x): (usize, &f32)| {
-        let origin = grid.origin[i % 3];
-        ((f64::from(x) - origin) / step).round().clamp(0.0, last) as i64
-    };
+    let points = numbers.as_chunks::<3>().0.iter();
+    let rounded = points.flat_map(|&point| grid.rounded(point)).map(i64::from);
     let component = if grid.last <= 0xff { GltfComponentType::U8 } else { GltfComponentType::U16 };
-    Elements::integers(numbers.iter().enumerate().map(rounded), 3, component)
+    Elements::integers(rounded, 3, component)
 }
 
 /// Expresses displacements of positions in grid steps: as integers, or as floats if they are too long.

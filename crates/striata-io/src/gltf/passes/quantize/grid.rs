@@ -1,8 +1,13 @@
 //! Grids of positions.
 
+use std::collections::BTreeMap;
+
+use crate::error::Place;
 use crate::gltf::accessor::accessor;
 use crate::gltf::component_type::GltfComponentType;
 use crate::gltf::document::GltfDocument;
+use crate::gltf::passes::primitives::PassPrimitive;
+use crate::report::Warnings;
 
 /// Grid that positions are rounded to.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,6 +20,16 @@ pub(super) struct MeshGrid {
     pub last: u32,
     /// Whether nodes must convert it without rounding, because other meshes have the same grid.
     pub is_shared: bool,
+}
+
+impl MeshGrid {
+    /// Returns the coordinates of the grid point next to a position.
+    pub(super) fn rounded(&self, position: [f32; 3]) -> [u32; 3] {
+        [0, 1, 2].map(|i| {
+            let steps = (f64::from(position[i]) - self.origin[i]) / f64::from(self.step);
+            steps.round().clamp(0.0, f64::from(self.last)) as u32
+        })
+    }
 }
 
 /// Grids of all meshes.
@@ -43,10 +58,43 @@ impl Grids {
         Some(([grid.origin.map(|x| x as f32), grid.origin.map(|x| (x + side) as f32)], bits))
     }
 
+    /// Warns if rounding makes more than one in a thousand positions fall on others, such as because one vertex is so
+    /// far away that the grid is coarser than everything else. Cost: sorts all positions.
+    pub(in crate::gltf::passes) fn warn_of_merging(
+        &self,
+        document: &GltfDocument<'_>,
+        primitives: &[PassPrimitive],
+        warnings: &mut Warnings,
+    ) {
+        let positions = |primitive: &PassPrimitive| Some((primitive.attribute("POSITION")?, primitive.mesh));
+        let mesh_of: BTreeMap<u64, usize> = primitives.iter().filter_map(positions).collect();
+        let (mut merged, mut all) = (0, 0);
+        for (accessor, mesh) in mesh_of {
+            let Some(grid) = self.number(mesh).and_then(|number| self.grids[number]) else { continue };
+            let Some(numbers) = positions_of(document, accessor) else { continue };
+            let points = numbers.as_chunks::<3>().0;
+            let apart = distinct(points.iter().map(|point| point.map(|x| (x + 0.0).to_bits())).collect());
+            merged += apart - distinct(points.iter().map(|&point| grid.rounded(point)).collect());
+            all += points.len();
+        }
+        if merged * 1000 > all {
+            let reason = format!(
+                "at this precision, {merged} of {all} vertices fall on others; more bits or no quantization keeps them apart"
+            );
+            warnings.push(Place::File, reason);
+        }
+    }
+
     /// Gives up the quantization of all meshes that share a grid.
     pub(super) fn drop_grid(&mut self, number: usize) {
         self.grids[number] = None;
     }
+}
+
+fn distinct(mut values: Vec<[u32; 3]>) -> usize {
+    values.sort_unstable();
+    values.dedup();
+    values.len()
 }
 
 /// Axis-aligned box.

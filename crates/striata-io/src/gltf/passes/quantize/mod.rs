@@ -35,11 +35,16 @@ use super::extensions;
 use super::parts::{GltfParts, open};
 use super::primitives::primitives;
 use crate::QuantizeOptions;
+use crate::report::Warnings;
 
 const EXTENSION: &str = "KHR_mesh_quantization";
 
 /// Quantizes the meshes of a document.
-pub(in crate::gltf) fn quantize(parts: &mut GltfParts, options: &QuantizeOptions, texcoords: Texcoords) {
+pub(in crate::gltf) fn quantize(
+    parts: &mut GltfParts,
+    (options, texcoords): (&QuantizeOptions, Texcoords),
+    warnings: &mut Warnings,
+) {
     let snapshot = parts.root.clone();
     let document = open(&snapshot, &parts.binary);
     let (primitives, are_read) = primitives(&snapshot);
@@ -52,6 +57,7 @@ pub(in crate::gltf) fn quantize(parts: &mut GltfParts, options: &QuantizeOptions
     };
     let mut grids = shared_grids::grids(&document, &primitives, &are_read, options);
     let placements = placement::placements(&document, &mut grids);
+    grids.warn_of_merging(&document, &primitives, warnings);
     let mut attributes = AttributeQuantizer::new(&document, &grids, options, texcoords, &mut changes);
     primitives.iter().for_each(|primitive| attributes.quantize(primitive));
     animations::quantize(&document, options, texcoords, &mut changes);

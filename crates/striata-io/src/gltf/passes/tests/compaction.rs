@@ -10,6 +10,7 @@ use crate::QuantizeOptions;
 use crate::gltf::passes::compact::compact;
 use crate::gltf::passes::parts::{array_length, entries, open, push_entries};
 use crate::gltf::passes::{Texcoords, quantize};
+use crate::report::Warnings;
 
 fn image_bytes(parts: &GltfParts) -> &[u8] {
     let view = parts.root["images"][0]["bufferView"].as_u64().unwrap() as usize;
@@ -62,7 +63,7 @@ fn slots_stay_if_an_unknown_extension_may_refer_to_them() {
     push_entries(&mut parts.root, "bufferViews", vec![view]);
     push_entries(&mut parts.root, "accessors", vec![slot]);
     let before = parts.clone();
-    quantize(&mut parts, &QuantizeOptions::default(), Texcoords::Integers);
+    quantize(&mut parts, (&QuantizeOptions::default(), Texcoords::Integers), &mut Warnings::default());
     let slots = entries(&parts.root, "accessors");
     assert!(slots.len() > entries(&before.root, "accessors").len());
     assert_eq!((&slots[0]["count"], slots[0].get("bufferView")), (&json!(1), None));

@@ -8,11 +8,12 @@ use super::world::{assert_same, floats};
 use super::{Elements, GltfParts, Sketch, add_mesh, everything, sheet, sheet_triangles};
 use crate::gltf::accessor::accessor;
 use crate::gltf::passes::parts::{entries, index, open};
+use crate::report::Warnings;
 use crate::{QuantizeOptions, WriteOptions};
 
 fn applied(parts: &GltfParts, options: &WriteOptions) -> GltfParts {
     let mut out = parts.clone();
-    out.apply(options).unwrap();
+    out.apply(options, &mut Warnings::default()).unwrap();
     out
 }
 
@@ -284,8 +285,8 @@ fn decoded(parts: &GltfParts, mesh: usize) -> Vec<Vec<Vec<u32>>> {
 #[test]
 fn only_one_compression_is_allowed() {
     let both = WriteOptions::default().with_draco(true).with_meshopt(true);
-    assert!(everything().apply(&both).is_err());
+    assert!(everything().apply(&both, &mut Warnings::default()).is_err());
     let mut untouched = everything();
-    untouched.apply(&WriteOptions::default()).unwrap();
+    untouched.apply(&WriteOptions::default(), &mut Warnings::default()).unwrap();
     assert_eq!(untouched, everything());
 }

@@ -4,6 +4,7 @@ use proptest::prelude::*;
 use serde_json::{Value, json};
 
 use super::everything;
+use crate::report::Warnings;
 use crate::{QuantizeOptions, WriteOptions};
 
 /// Returns the number of values in a document.
@@ -77,7 +78,7 @@ proptest! {
             quantize.with_draco(cfg!(feature = "draco")),
         ] {
             let mut out = parts.clone();
-            prop_assert!(out.apply(&options).is_ok());
+            prop_assert!(out.apply(&options, &mut Warnings::default()).is_ok());
             let before = parts.binary.len().max(1 << 16);
             prop_assert!(out.binary.len() <= 4 * before, "{} bytes became {}", before, out.binary.len());
         }
