@@ -66,7 +66,7 @@ impl GltfParts {
         }
         if let Some(quantization) = &options.quantize {
             let texcoords = if options.meshopt { Texcoords::Floats } else { Texcoords::Integers };
-            quantize(self, (quantization, texcoords), warnings);
+            quantize(self, quantization, texcoords, warnings);
         }
         if options.meshopt {
             meshopt(self, options.quantize.as_ref());

@@ -42,7 +42,8 @@ const EXTENSION: &str = "KHR_mesh_quantization";
 /// Quantizes the meshes of a document.
 pub(in crate::gltf) fn quantize(
     parts: &mut GltfParts,
-    (options, texcoords): (&QuantizeOptions, Texcoords),
+    options: &QuantizeOptions,
+    texcoords: Texcoords,
     warnings: &mut Warnings,
 ) {
     let snapshot = parts.root.clone();

@@ -63,7 +63,7 @@ fn slots_stay_if_an_unknown_extension_may_refer_to_them() {
     push_entries(&mut parts.root, "bufferViews", vec![view]);
     push_entries(&mut parts.root, "accessors", vec![slot]);
     let before = parts.clone();
-    quantize(&mut parts, (&QuantizeOptions::default(), Texcoords::Integers), &mut Warnings::default());
+    quantize(&mut parts, &QuantizeOptions::default(), Texcoords::Integers, &mut Warnings::default());
     let slots = entries(&parts.root, "accessors");
     assert!(slots.len() > entries(&before.root, "accessors").len());
     assert_eq!((&slots[0]["count"], slots[0].get("bufferView")), (&json!(1), None));

@@ -13,7 +13,7 @@ use crate::report::Warnings;
 
 fn quantized(parts: &GltfParts) -> GltfParts {
     let mut out = parts.clone();
-    quantize(&mut out, (&QuantizeOptions::default(), Texcoords::Integers), &mut Warnings::default());
+    quantize(&mut out, &QuantizeOptions::default(), Texcoords::Integers, &mut Warnings::default());
     out
 }
 
@@ -26,7 +26,7 @@ fn every_node_shows_the_same_positions() {
     assert_same(&quantized(&parts), &parts, 3.0 * 3f64.sqrt() * step);
     let coarse = QuantizeOptions::default().with_position_bits(6);
     let mut out = parts.clone();
-    quantize(&mut out, (&coarse, Texcoords::Integers), &mut Warnings::default());
+    quantize(&mut out, &coarse, Texcoords::Integers, &mut Warnings::default());
     assert_same(&out, &parts, 3.0 * 3f64.sqrt() * 5.0 / 63.0);
     let position = index(&out.root["meshes"][0]["primitives"][0]["attributes"]["POSITION"]).unwrap();
     assert_eq!(out.root["accessors"][position as usize]["componentType"], 5121);
@@ -35,7 +35,7 @@ fn every_node_shows_the_same_positions() {
 #[test]
 fn vertices_that_fall_on_others_are_named() {
     let mut warnings = Warnings::of_file("x.glb");
-    quantize(&mut everything(), (&QuantizeOptions::default(), Texcoords::Integers), &mut warnings);
+    quantize(&mut everything(), &QuantizeOptions::default(), Texcoords::Integers, &mut warnings);
     assert!(warnings.into_list().is_empty());
     // One far vertex makes the grid coarser than the sheet.
     let mut far = sheet(0.0);
@@ -47,7 +47,7 @@ fn vertices_that_fall_on_others_are_named() {
     let mesh = sketch.add("meshes", json!({ "primitives": [primitive] }));
     sketch.node(json!({ "mesh": mesh }));
     let mut warnings = Warnings::of_file("x.glb");
-    quantize(&mut sketch.finish(), (&QuantizeOptions::default(), Texcoords::Integers), &mut warnings);
+    quantize(&mut sketch.finish(), &QuantizeOptions::default(), Texcoords::Integers, &mut warnings);
     let found: Vec<String> = warnings.into_list().iter().map(ToString::to_string).collect();
     let expected = "vertices fall on others; more bits or no quantization keeps them apart";
     assert!(found.len() == 1 && found[0].contains(expected), "{found:?}");
