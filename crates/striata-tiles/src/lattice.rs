@@ -12,6 +12,8 @@
 use striata::mesh::Bounds;
 use striata_paged::{Metadata, StepTiers};
 
+use crate::textures::TextureSet;
+
 /// Most levels above the finest.
 pub(crate) const MAX_LEVEL: u32 = 14;
 /// Base-2 logarithm of the number of steps of a tile's side, rounded up.
@@ -140,6 +142,17 @@ impl TileShape {
             LevelTiers { tier, border_tier, error: tiers.error_below(tier).into() }
         };
         (0..=count).map(level).collect()
+    }
+
+    /// Lengths of the texels of all levels.
+    pub(crate) fn texels(
+        &self,
+        metadata: &Metadata,
+        textures: &TextureSet,
+        levels: &[LevelTiers],
+    ) -> Vec<f64> {
+        let tile_counts = (0..levels.len() as u32).rev().map(|depth| self.tile_count(metadata, depth));
+        levels.iter().zip(tile_counts).map(|(level, tiles)| textures.texel_of(level.error, tiles)).collect()
     }
 }
 

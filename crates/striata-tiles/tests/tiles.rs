@@ -1,15 +1,17 @@
 //! Tilesets of many meshes: valid trees, and no cracks within a level or between levels.
 
+mod common;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
+use common::{built, try_built};
 use proptest::prelude::*;
 use serde_json::Value;
 use striata::ignore_progress;
 use striata::mesh::{AttributeLayer, IndexedMesh, Material, Semantic, TriangleGroup, shapes};
 use striata_paged::PagedFile;
-use striata_paged::build::{BuildInput, BuildOptions, BuildPaths, PagedPlan, run_all};
 use striata_testing::meshes::{nasty, two_sided};
 use striata_tiles::{TileFormat, TileLevel, TilesError, TilesOptions, TilesReport, Up, write_tiles};
 use tempfile::TempDir;
@@ -30,26 +32,6 @@ struct Tileset {
     pub report: TilesReport,
     pub tiles: Vec<ReadTile>,
     json: Value,
-}
-
-/// A paged file of a mesh, unless no file can hold it.
-fn try_built(mesh: &IndexedMesh) -> Option<(TempDir, PagedFile)> {
-    let folder = tempfile::tempdir().unwrap();
-    let (input, output) = (folder.path().join("mesh.glb"), folder.path().join("mesh.striata"));
-    striata_io::write(&input, mesh, &striata_io::WriteOptions::default()).ok()?;
-    let work = folder.path().join("work");
-    let options = BuildOptions { cell: 2000, exact: true, ..BuildOptions::default() };
-    let paths = BuildPaths { output: &output, folder: &work };
-    let plan =
-        PagedPlan::make(BuildInput::Files(vec![input]), options, paths, 1, &mut ignore_progress).ok()?;
-    run_all(&plan, 1, &mut ignore_progress).ok()?;
-    plan.remove_work().unwrap();
-    let file = PagedFile::open(output.to_str().unwrap()).unwrap();
-    Some((folder, file))
-}
-
-fn built(mesh: &IndexedMesh) -> (TempDir, PagedFile) {
-    try_built(mesh).expect("the mesh can be built")
 }
 
 fn tiled(mesh: &IndexedMesh, options: &TilesOptions) -> Tileset {
