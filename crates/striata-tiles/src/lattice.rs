@@ -112,8 +112,8 @@ impl TileShape {
     }
 
     /// Number of levels above the finest, so that its tiles have about `tile_triangles` triangles.
-    pub(crate) fn level_count(&self, metadata: &Metadata, tile_triangles: u64) -> u32 {
-        let tiles = metadata.triangle_count as f64 / tile_triangles.max(1) as f64;
+    pub(crate) fn level_count(&self, metadata: &Metadata, tile_triangles: f64) -> u32 {
+        let tiles = metadata.triangle_count as f64 / tile_triangles;
         (0..MAX_LEVEL).find(|&depth| self.tile_count(metadata, depth) >= tiles).unwrap_or(MAX_LEVEL)
     }
 
@@ -123,7 +123,7 @@ impl TileShape {
         metadata: &Metadata,
         tiers: &StepTiers,
         base_triangle_count: u64,
-        tile_triangles: u64,
+        tile_triangles: f64,
     ) -> Vec<LevelTiers> {
         let base = base_triangle_count as f64;
         let removable = metadata.triangle_count as f64 - base;
@@ -132,7 +132,7 @@ impl TileShape {
         let count = self.level_count(metadata, tile_triangles);
         let level = |number: u32| {
             let wanted = metadata.triangle_count as f64 / 4f64.powi(number as i32);
-            let wanted = wanted.min(self.tile_count(metadata, count - number) * tile_triangles as f64);
+            let wanted = wanted.min(self.tile_count(metadata, count - number) * tile_triangles);
             let is_enough = |tier: &u16| triangles_at(*tier) <= wanted;
             let tier = match number {
                 0 => 0,

@@ -19,7 +19,8 @@
 //! | `tileset.rs`, `sink.rs` | `tileset.json`, and the folder or archive |
 //!
 //! Cost: each page is read once for the tiers and about twice for each level that needs it. Memory holds a block of
-//! about a million triangles with its pages, and a byte per position.
+//! about a million triangles with its pages, and a byte per position. Textures add a pass over the finest surface;
+//! memory holds one decoded image at a time, and a file next to the output a third more than all of them.
 
 mod earth;
 mod error;
@@ -34,8 +35,7 @@ use std::path::Path;
 
 use rayon::prelude::*;
 use serde::Serialize;
-use serde_json::Value;
-use striata::mesh::{Appearance, IndexedMesh};
+use striata::mesh::IndexedMesh;
 use striata::{Progress, ProgressFn};
 use striata_io::{Format, QuantizeOptions, WriteOptions, encode_mesh, shaded};
 use striata_paged::{Metadata, PagedFile, StepTiers};
@@ -45,12 +45,12 @@ pub use lattice::Up;
 use lattice::{Cell, LevelTiers, TileBlock, TileLattice, TileShape};
 use sink::Sink;
 pub use sink::check_output;
-use textures::{DressedTile, TEXELS_PER_ERROR, TextureSet};
+use textures::{DressedTile, TEXELS_PER_ERROR, TextureSet, without_textures};
 use tile_mesh::LevelMesh;
 use tileset::{Tile, TileTree, path_of, turned};
 
 /// Triangles of a block of tiles that are made together, about.
-const BLOCK_TRIANGLES: u64 = 1 << 20;
+const BLOCK_TRIANGLES: f64 = (1 << 20) as f64;
 /// A level with a larger share of triangles that have corners in several charts is worth a remark.
 const MOST_MIXED: f64 = 0.05;
 /// Tiles that are encoded at the same time.
@@ -89,7 +89,7 @@ pub struct TilesOptions {
     pub shading: bool,
     /// Whether tiles have the textures of the mesh; default yes.
     pub has_textures: bool,
-    /// Quality of the JPEG images of textures, 1 to 100; default 85.
+    /// Quality of the JPEG images of textures, 1 to 100; default 90.
     pub texture_quality: u8,
 }
 
@@ -103,7 +103,7 @@ impl Default for TilesOptions {
             has_skirts: false,
             shading: true,
             has_textures: true,
-            texture_quality: 85,
+            texture_quality: 90,
         }
     }
 }
@@ -172,18 +172,19 @@ pub fn write_tiles(
     let mut warnings = left_out(&metadata);
     let textures = match options.has_textures && !metadata.images.is_empty() {
         true => {
-            let quality = options.texture_quality;
-            TextureSet::read(file, &tiers, output, quality, (&mut warnings, progress))?
+            let textures = TextureSet::read(file, &tiers, output, options.texture_quality, progress)?;
+            warnings.extend(textures.warnings.iter().cloned());
+            Some(textures)
         }
         false => None,
     };
     let shape = TileShape::of(&metadata, &tiers, options.up);
     let up = shape.up;
     let base = file.reader().entry(0).map_or(0, |entry| u64::from(entry.triangle_count));
-    let tile_triangles = match textures.as_ref().map_or(0.0, TextureSet::tile_count) {
-        tiles if tiles > 1.0 => options.tile_triangles.min((metadata.triangle_count as f64 / tiles) as u64),
-        _ => options.tile_triangles,
-    };
+    // As many tiles as textures need, if that is more.
+    let tile_triangles =
+        textures.as_ref().map_or(f64::INFINITY, |textures| textures.tile_triangles(&metadata));
+    let tile_triangles = tile_triangles.min(options.tile_triangles.max(1) as f64);
     let levels = shape.levels(&metadata, &tiers, base, tile_triangles);
     let texels: Vec<f64> = match &textures {
         Some(textures) => shape.texels(&metadata, textures, &levels),
@@ -310,13 +311,13 @@ impl Tiler<'_> {
     fn write_all(
         &mut self,
         output: &Path,
-        tile_triangles: u64,
+        tile_triangles: f64,
         sink: &mut Sink,
         progress: &mut ProgressFn<'_>,
     ) -> Result<(), TilesError> {
         let top = self.levels.len() as u32 - 1;
         let mut height = 0;
-        while height < top && 4u64.pow(height) * tile_triangles.max(1) < BLOCK_TRIANGLES {
+        while height < top && 4f64.powi(height as i32) * tile_triangles.max(1.0) < BLOCK_TRIANGLES {
             height += 1;
         }
         let blocks: Vec<(u32, [Cell; 2])> =
@@ -442,41 +443,4 @@ impl<E: Into<TilesError>> From<E> for BlockError {
     fn from(error: E) -> Self {
         Self::Tiles(error.into())
     }
-}
-
-/// Materials without what refers to textures.
-fn without_textures(appearance: Appearance) -> Appearance {
-    let mut appearance = Appearance {
-        images: Vec::new(),
-        textures_json: Vec::new(),
-        samplers_json: Vec::new(),
-        georeference: String::new(),
-        ..appearance
-    };
-    for material in &mut appearance.materials {
-        if let Ok(mut value) = serde_json::from_str(&material.gltf_json) {
-            remove_textures(&mut value, "", &|_| false);
-            material.gltf_json = value.to_string();
-        }
-    }
-    appearance
-}
-
-/// Removes references to textures, which are objects with an index whose names end in `Texture`, except those for whose
-/// JSON pointers `is_kept` is true.
-fn remove_textures(value: &mut Value, path: &str, is_kept: &impl Fn(&str) -> bool) {
-    if let Value::Object(members) = value {
-        members.retain(|name, value| {
-            let is_texture = name.ends_with("Texture") && value.get("index").is_some();
-            !is_texture || is_kept(&member_pointer(path, name))
-        });
-        for (name, value) in members.iter_mut() {
-            remove_textures(value, &member_pointer(path, name), is_kept);
-        }
-    }
-}
-
-/// JSON pointer of a member of an object.
-fn member_pointer(path: &str, name: &str) -> String {
-    format!("{path}/{}", name.replace('~', "~0").replace('/', "~1"))
 }

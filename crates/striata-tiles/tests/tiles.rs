@@ -14,7 +14,6 @@ use striata::mesh::{AttributeLayer, IndexedMesh, Material, Semantic, TriangleGro
 use striata_paged::PagedFile;
 use striata_testing::meshes::{nasty, two_sided};
 use striata_tiles::{TileFormat, TileLevel, TilesError, TilesOptions, TilesReport, Up, write_tiles};
-use tempfile::TempDir;
 
 type Point = [f64; 3];
 type Cell = [i64; 3];
@@ -353,7 +352,11 @@ fn attributes_and_materials_are_kept() {
         |first, material| TriangleGroup { name: String::new(), material: Some(material), first, count: half };
     mesh.groups = vec![group(0, 0), group(half, 1)];
     let set = tiled(&mesh, &options(300));
-    assert_eq!(set.report.left_out, ["tiles have no textures: 1 images are left out, the first is photo"]);
+    let expected = [
+        "textures of the material rock are left out: the mesh has no texcoord_0",
+        "the image photo is left out: it is missing",
+    ];
+    assert_eq!(set.report.left_out, expected);
     let mut names = BTreeSet::new();
     for tile in &set.tiles {
         let color =

@@ -12,8 +12,9 @@ use striata_scene::drawn::Wrap;
 use striata_scene::textures::{ImageFormat, RgbaImage, TextureTransfer};
 
 use super::chart::{Chart, MAX_ATLAS_SIDE, charts, packed, step_for};
+use super::material::{MaterialTexture, MaterialTextures};
 use super::pyramid::SampledRect;
-use super::{MaterialTexture, MaterialTextures, StoredImage, TextureSet};
+use super::texture_set::{StoredImage, TextureSet};
 
 /// Largest difference of the resolutions of the images of a material that its atlases keep, as a power of two.
 const MAX_COARSER: u32 = 3;

@@ -20,6 +20,11 @@ impl Coverage {
         Self { width, height, row_words, bits: vec![0; row_words * height as usize], is_whole: false }
     }
 
+    /// A coverage of everything.
+    pub(crate) fn whole([width, height]: [u32; 2]) -> Self {
+        Self { width, height, row_words: 0, bits: Vec::new(), is_whole: true }
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         !self.is_whole && self.bits.iter().all(|&word| word == 0)
     }
@@ -49,7 +54,8 @@ impl Coverage {
         };
         let ((left, right), (top, bottom)) = (range(0), range(1));
         let fits = right - left <= f64::from(self.width) && bottom - top <= f64::from(self.height);
-        if !fits || left.abs().max(top.abs()) > 1e9 {
+        // Also for what is not a number.
+        if !fits || !corners.iter().flatten().all(|x| x.abs() < 1e9) {
             self.is_whole = true;
             return;
         }
