@@ -12,7 +12,7 @@
 use striata::mesh::Bounds;
 use striata_paged::{Metadata, StepTiers};
 
-use crate::textures::TextureSet;
+use crate::textures::TileTextures;
 
 /// Most levels above the finest.
 pub(crate) const MAX_LEVEL: u32 = 14;
@@ -148,7 +148,7 @@ impl TileShape {
     pub(crate) fn texels(
         &self,
         metadata: &Metadata,
-        textures: &TextureSet,
+        textures: &TileTextures,
         levels: &[LevelTiers],
     ) -> Vec<f64> {
         let tile_counts = (0..levels.len() as u32).rev().map(|depth| self.tile_count(metadata, depth));

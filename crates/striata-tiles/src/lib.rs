@@ -45,7 +45,7 @@ pub use lattice::Up;
 use lattice::{Cell, LevelTiers, TileBlock, TileLattice, TileShape};
 use sink::Sink;
 pub use sink::check_output;
-use textures::{DressedTile, TEXELS_PER_ERROR, TextureSet, without_textures};
+use textures::{DressedTile, TEXELS_PER_ERROR, TileTextures, without_textures};
 use tile_mesh::LevelMesh;
 use tileset::{Tile, TileTree, path_of, turned};
 
@@ -172,7 +172,7 @@ pub fn write_tiles(
     let mut warnings = left_out(&metadata);
     let textures = match options.has_textures && !metadata.images.is_empty() {
         true => {
-            let textures = TextureSet::read(file, &tiers, output, options.texture_quality, progress)?;
+            let textures = TileTextures::read(file, &tiers, output, options.texture_quality, progress)?;
             warnings.extend(textures.warnings.iter().cloned());
             Some(textures)
         }
@@ -296,7 +296,7 @@ struct Tiler<'a> {
     lattice: &'a TileLattice,
     levels: &'a [LevelTiers],
     /// The textures, and the length of their texels at each level.
-    textures: Option<(&'a TextureSet, &'a [f64])>,
+    textures: Option<(&'a TileTextures, &'a [f64])>,
     options: &'a TilesOptions,
     up: Up,
     tiles: BTreeMap<(u32, Cell), Tile>,

@@ -142,13 +142,13 @@ fn with(set: impl Fn(&mut TilesOptions)) -> TilesOptions {
 }
 
 /// The tiles of a mesh with their levels.
-struct Tiles {
+struct TexturedTiles {
     report: TilesReport,
     tiles: Vec<(u32, IndexedMesh, [f64; 3])>,
     files: Vec<Vec<u8>>,
 }
 
-fn tiled(mesh: &IndexedMesh, options: &TilesOptions) -> Tiles {
+fn tiled(mesh: &IndexedMesh, options: &TilesOptions) -> TexturedTiles {
     let (folder, mut file) = built(mesh);
     let output = folder.path().join("tiles");
     let report = write_tiles(&mut file, &output, options, &mut ignore_progress).unwrap();
@@ -161,7 +161,7 @@ fn tiled(mesh: &IndexedMesh, options: &TilesOptions) -> Tiles {
             tiles.push((level, striata_io::read(&path).unwrap(), shift));
         }
     }
-    Tiles { report, tiles, files }
+    TexturedTiles { report, tiles, files }
 }
 
 fn sorted(folder: &Path) -> Vec<std::path::PathBuf> {
@@ -201,7 +201,7 @@ fn sample(image: &RgbaImage, [u, v]: [f64; 2]) -> [f64; 4] {
 }
 
 /// Calls `visit` with level, place, color and area of points of all triangles.
-fn each_point(tiles: &Tiles, mut visit: impl FnMut(u32, [f64; 3], [f64; 4], f64)) {
+fn each_point(tiles: &TexturedTiles, mut visit: impl FnMut(u32, [f64; 3], [f64; 4], f64)) {
     for (level, mesh, shift) in &tiles.tiles {
         let uv = mesh.layer(&Semantic::TexCoord(0)).unwrap();
         for group in &mesh.groups {
@@ -228,7 +228,7 @@ fn each_point(tiles: &Tiles, mut visit: impl FnMut(u32, [f64; 3], [f64; 4], f64)
 }
 
 /// Share of the area of each level with another color than the surface, by more than this.
-fn wrong_share(tiles: &Tiles, channels: usize, limit: f64) -> Vec<f64> {
+fn wrong_share(tiles: &TexturedTiles, channels: usize, limit: f64) -> Vec<f64> {
     let mut shares = vec![[0.0; 2]; tiles.report.levels.len()];
     each_point(tiles, |level, [x, y, _], found, area| {
         let [r, g, b] = color(x, y);

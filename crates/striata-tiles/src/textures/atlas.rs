@@ -11,10 +11,10 @@ use striata::mesh::{Appearance, AttributeLayer, Image, IndexedMesh, Material, Se
 use striata_scene::drawn::Wrap;
 use striata_scene::textures::{ImageFormat, RgbaImage, TextureTransfer};
 
-use super::chart::{Chart, MAX_ATLAS_SIDE, charts, packed, step_for};
+use super::chart::{AtlasChart, MAX_ATLAS_SIDE, charts, packed, step_for};
 use super::material::{MaterialTexture, MaterialTextures};
 use super::pyramid::SampledRect;
-use super::texture_set::{StoredImage, TextureSet};
+use super::tile_textures::{StoredImage, TileTextures};
 
 /// Largest difference of the resolutions of the images of a material that its atlases keep, as a power of two.
 const MAX_COARSER: u32 = 3;
@@ -33,7 +33,7 @@ pub(crate) struct DressedTile {
 
 /// The vertices and images of a tile while they are made.
 struct TileDresser<'a> {
-    set: &'a TextureSet,
+    set: &'a TileTextures,
     mesh: &'a IndexedMesh,
     appearance: Appearance,
     /// Vertex of each new vertex, and its new texture coordinates with their set.
@@ -42,7 +42,7 @@ struct TileDresser<'a> {
     reduced: Option<String>,
 }
 
-impl TextureSet {
+impl TileTextures {
     /// Gives a tile its textures, with texels of this length, or that of the images if it is 0.
     pub(crate) fn dress(&self, mesh: &IndexedMesh, texel: f64) -> io::Result<DressedTile> {
         let mut of_material: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
@@ -67,7 +67,7 @@ impl TextureSet {
             reduced: None,
         };
         let mut number_of = BTreeMap::new();
-        let mut all: Vec<(Chart, [u32; 2], &MaterialTextures)> = Vec::new();
+        let mut all: Vec<(AtlasChart, [u32; 2], &MaterialTextures)> = Vec::new();
         for (&index, triangles) in of_material.iter().filter(|(index, _)| **index != NONE) {
             number_of.insert(index, dresser.appearance.materials.len() as u32);
             let Some(material) = self.materials.get(index as usize) else { continue };
@@ -96,7 +96,7 @@ impl TileDresser<'_> {
         material: &MaterialTextures,
         triangles: &[u32],
         texel: f64,
-    ) -> io::Result<(Value, Vec<Chart>, [u32; 2])> {
+    ) -> io::Result<(Value, Vec<AtlasChart>, [u32; 2])> {
         let mut json = material.material.clone();
         if material.textures.is_empty() {
             return Ok((json, Vec::new(), [0; 2]));
@@ -110,7 +110,7 @@ impl TileDresser<'_> {
         if let Some(mut charts) = found {
             let coarser = self.fit(material, &mut charts, texel);
             let most = u64::from(whole[0]) * u64::from(whole[1]);
-            if charts.iter().map(Chart::pixel_count).sum::<u64>() < most
+            if charts.iter().map(AtlasChart::pixel_count).sum::<u64>() < most
                 && let Some(size) = packed(&mut charts)
                 && u64::from(size[0]) * u64::from(size[1]) < most
             {
@@ -143,7 +143,7 @@ impl TileDresser<'_> {
     }
 
     /// Chooses the sizes of charts; returns by how much the coarsest atlas is coarser, as a power of two.
-    fn fit(&mut self, material: &MaterialTextures, charts: &mut [Chart], texel: f64) -> u32 {
+    fn fit(&mut self, material: &MaterialTextures, charts: &mut [AtlasChart], texel: f64) -> u32 {
         let steps: Vec<f64> = charts.iter().map(|chart| step_for(chart.areas, texel)).collect();
         let least = steps.iter().copied().fold(f64::INFINITY, f64::min);
         let coarser = |texture: &MaterialTexture| self.coarser(material, texture, least);
@@ -172,7 +172,7 @@ impl TileDresser<'_> {
         &mut self,
         material: &MaterialTextures,
         texture: &MaterialTexture,
-        charts: &[Chart],
+        charts: &[AtlasChart],
         size: [u32; 2],
     ) -> io::Result<usize> {
         let least = charts.iter().map(|chart| chart.step).fold(f64::INFINITY, f64::min);
@@ -285,7 +285,7 @@ impl TileDresser<'_> {
     fn new_triangles(
         &mut self,
         chart_of: &[u32],
-        charts: &[(Chart, [u32; 2], &MaterialTextures)],
+        charts: &[(AtlasChart, [u32; 2], &MaterialTextures)],
     ) -> Vec<[u32; 3]> {
         let mut number_of: HashMap<(u32, u32), u32> = HashMap::new();
         let mut triangles = Vec::with_capacity(self.mesh.triangles.len());

@@ -2,13 +2,14 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use guillotiere::{AllocatorOptions, SimpleAtlasAllocator, size2};
 use striata::mesh::IndexedMesh;
 
 use super::regions::{join, root};
 
 /// Largest side of an atlas, pixels: what browsers on small devices draw.
 pub(super) const MAX_ATLAS_SIDE: u32 = 8192;
+/// Largest number of charts of an atlas: packing takes time for each pair.
+const MAX_CHARTS: usize = 1 << 15;
 /// Smallest and largest border around a chart, pixels.
 const GUTTERS: [u32; 2] = [2, 8];
 /// A chart has a border of this share of its shorter side.
@@ -18,7 +19,7 @@ const MAX_REDUCTION: f64 = 16_384.0;
 
 /// Triangles that are connected in an image.
 #[derive(Clone, Debug)]
-pub(super) struct Chart {
+pub(super) struct AtlasChart {
     pub triangles: Vec<u32>,
     /// Bounds, texels.
     bounds: [[f64; 2]; 2],
@@ -47,7 +48,7 @@ pub(super) fn charts(
     mesh: &IndexedMesh,
     triangles: &[u32],
     texel_place: &dyn Fn(u32) -> [f64; 2],
-) -> Option<Vec<Chart>> {
+) -> Option<Vec<AtlasChart>> {
     // Vertices that differ only in other attributes are one point.
     let mut points: HashMap<([u32; 3], [u64; 2]), u32> = HashMap::new();
     let mut parents: Vec<u32> = Vec::new();
@@ -68,9 +69,9 @@ pub(super) fn charts(
         join(&mut parents, ids[0], ids[2]);
         corners.push((ids[0], places.map(|(_, at)| at)));
     }
-    let mut found: BTreeMap<u32, Chart> = BTreeMap::new();
+    let mut found: BTreeMap<u32, AtlasChart> = BTreeMap::new();
     for (&triangle, &(id, at)) in triangles.iter().zip(&corners) {
-        let chart = found.entry(root(&mut parents, id)).or_insert_with(|| Chart::new(at[0]));
+        let chart = found.entry(root(&mut parents, id)).or_insert_with(|| AtlasChart::new(at[0]));
         chart.triangles.push(triangle);
         for corner in at {
             chart.bounds[0] = [0, 1].map(|a| chart.bounds[0][a].min(corner[a]));
@@ -91,7 +92,7 @@ pub(super) fn step_for([surface, texels]: [f64; 2], texel: f64) -> f64 {
     (texel / (surface / texels).sqrt()).clamp(1.0, MAX_REDUCTION)
 }
 
-impl Chart {
+impl AtlasChart {
     fn new(at: [f64; 2]) -> Self {
         Self {
             triangles: Vec::new(),
@@ -128,25 +129,77 @@ impl Chart {
     }
 }
 
-/// Places charts in an atlas and returns its size; `None` if it would be too large.
-pub(super) fn packed(charts: &mut [Chart]) -> Option<[u32; 2]> {
-    let area: u64 = charts.iter().map(Chart::pixel_count).sum();
+/// Places charts in an atlas and returns its size; `None` if it would be too large, or if there are too many.
+///
+/// ```text
+///            ____
+///   __      |    |     the skyline: where it begins, and the height of each step;
+///  |  |_____|    |__   the next chart, by height, goes where its lower edge is lowest
+/// ```
+pub(super) fn packed(charts: &mut [AtlasChart]) -> Option<[u32; 2]> {
+    let area: u64 = charts.iter().map(AtlasChart::pixel_count).sum();
     let widest = charts.iter().map(|chart| chart.size[0]).max()?;
-    // Shelves are not quite full.
+    // Some pixels below the skyline are lost.
     let side = ((area as f64 * 1.1).sqrt().ceil() as u32).max(widest);
-    if side > MAX_ATLAS_SIDE {
+    if side > MAX_ATLAS_SIDE || charts.len() > MAX_CHARTS {
         return None;
     }
-    let options = AllocatorOptions { large_size_threshold: i32::MAX, ..AllocatorOptions::default() };
-    let mut atlas = SimpleAtlasAllocator::with_options(size2(side as i32, MAX_ATLAS_SIDE as i32), &options);
     let mut order: Vec<usize> = (0..charts.len()).collect();
     order.sort_by_key(|&i| std::cmp::Reverse((charts[i].size[1], charts[i].size[0])));
+    let mut skyline = vec![[0, 0]];
     let mut size = [0; 2];
     for i in order {
         let chart = &mut charts[i];
-        let place = atlas.allocate(size2(chart.size[0] as i32, chart.size[1] as i32))?;
-        chart.place = [place.min.x as u32, place.min.y as u32];
-        size = [0, 1].map(|a| size[a].max(chart.place[a] + chart.size[a]));
+        let [width, height] = chart.size;
+        let steps_below = |first: usize| {
+            let end = skyline[first][0] + width;
+            skyline[first..].iter().take_while(move |step| step[0] < end).map(|step| step[1])
+        };
+        let fitting = (0..skyline.len()).take_while(|&step| skyline[step][0] + width <= side);
+        let lower_edge = |&step: &usize| steps_below(step).max().unwrap_or(0);
+        let first = fitting.min_by_key(lower_edge)?;
+        let (count, y) = (steps_below(first).count(), lower_edge(&first));
+        let (x, last) = (skyline[first][0], skyline[first + count - 1][1]);
+        let next = skyline.get(first + count).map_or(side, |step| step[0]);
+        let rest = (x + width < next).then_some([x + width, last]);
+        skyline.splice(first..first + count, [[x, y + height]].into_iter().chain(rest));
+        chart.place = [x, y];
+        size = [size[0].max(x + width), size[1].max(y + height)];
     }
-    Some(size)
+    (size[1] <= MAX_ATLAS_SIDE).then_some(size)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn charts_do_not_overlap_and_waste_little() {
+        let mut random = 1u32;
+        let mut below = |limit: u32| {
+            random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (random >> 8) % limit
+        };
+        for (count, limits) in
+            [(1, [9, 300]), (2, [300, 9]), (300, [60, 60]), (300, [200, 12]), (2000, [20, 90])]
+        {
+            let mut charts: Vec<AtlasChart> = (0..count).map(|_| AtlasChart::new([0.0; 2])).collect();
+            for chart in &mut charts {
+                chart.size = limits.map(|limit| 3 + below(limit));
+            }
+            // A column and a row.
+            charts[0].size = [8, 254];
+            charts[count - 1].size = [250, 9];
+            let size = packed(&mut charts).unwrap();
+            let mut is_used = vec![false; size[0] as usize * size[1] as usize];
+            for chart in &charts {
+                for (x, y) in (0..chart.size[0]).flat_map(|x| (0..chart.size[1]).map(move |y| (x, y))) {
+                    let at = (chart.place[1] + y) as usize * size[0] as usize + (chart.place[0] + x) as usize;
+                    assert!(chart.place[0] + x < size[0] && !std::mem::replace(&mut is_used[at], true));
+                }
+            }
+            let used = is_used.iter().filter(|&&is_used| is_used).count();
+            assert!(count < 100 || used * 10 > is_used.len() * 8, "{used} of {}", is_used.len());
+        }
+    }
 }

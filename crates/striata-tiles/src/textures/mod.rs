@@ -10,7 +10,7 @@
 //!
 //! | file | what it does |
 //! | --- | --- |
-//! | `texture_set.rs` | the textures of a mesh |
+//! | `tile_textures.rs` | the textures of a mesh |
 //! | `material.rs` | materials and their references to textures |
 //! | `coverage.rs` | the texels that triangles reach |
 //! | `regions.rs` | the charts of the whole mesh, and triangles with corners in several of them |
@@ -24,8 +24,8 @@ mod coverage;
 mod material;
 mod pyramid;
 mod regions;
-mod texture_set;
+mod tile_textures;
 
 pub(crate) use atlas::DressedTile;
 pub(crate) use material::without_textures;
-pub(crate) use texture_set::{TEXELS_PER_ERROR, TextureSet};
+pub(crate) use tile_textures::{TEXELS_PER_ERROR, TileTextures};

@@ -56,7 +56,7 @@ pub(crate) struct Pyramid {
 }
 
 /// A reduced copy with the weight of each texel.
-struct Copy {
+struct ReducedCopy {
     size: [u32; 2],
     pixels: Vec<[u8; 4]>,
     weights: Vec<u8>,
@@ -70,7 +70,7 @@ impl Pyramid {
         scratch: &mut Scratch,
     ) -> io::Result<Self> {
         let full = [image.width, image.height];
-        let mut copies: Vec<Copy> = Vec::new();
+        let mut copies: Vec<ReducedCopy> = Vec::new();
         let mut size = full;
         while size != [1, 1] {
             let copy = match copies.last() {
@@ -81,7 +81,7 @@ impl Pyramid {
                         (pixels[y as usize * full[0] as usize + x as usize], weight)
                     })
                 }
-                Some(Copy { size: [width, _], pixels, weights }) => halved(size, role, |x, y| {
+                Some(ReducedCopy { size: [width, _], pixels, weights }) => halved(size, role, |x, y| {
                     let at = y as usize * *width as usize + x as usize;
                     (pixels[at], weights[at])
                 }),
@@ -91,7 +91,8 @@ impl Pyramid {
         }
         for index in (1..copies.len()).rev() {
             let (finer, coarser) = copies.split_at_mut(index);
-            let Some((Copy { size, pixels, weights }, coarser)) = finer.last_mut().zip(coarser.first())
+            let Some((ReducedCopy { size, pixels, weights }, coarser)) =
+                finer.last_mut().zip(coarser.first())
             else {
                 continue;
             };
@@ -125,7 +126,7 @@ impl Pyramid {
         let SampledRect { start, step, size, wrap } = *sampled;
         let level = self.level(sampled);
         let scale = f64::from(1u32 << level);
-        let taps = |a: usize| -> Vec<Taps> {
+        let taps = |a: usize| -> Vec<PixelTaps> {
             (0..size[a]).map(|i| taps((start[a] + f64::from(i) * step[a]) / scale, step[a] / scale)).collect()
         };
         let ([width, height], place) = self.copies[level];
@@ -158,7 +159,7 @@ impl Pyramid {
                 if kept.back().is_none_or(|&(last, _)| last < y) {
                     let numbers: Vec<[f32; 4]> =
                         read_row(y)?.into_iter().map(|pixel| self.role.numbers(pixel)).collect();
-                    let mixed = |taps: &Taps| mixed(taps, |i| numbers[(taps.first - base) as usize + i]);
+                    let mixed = |taps: &PixelTaps| mixed(taps, |i| numbers[(taps.first - base) as usize + i]);
                     kept.push_back((y, columns.iter().map(mixed).collect()));
                 }
             }
@@ -202,7 +203,7 @@ pub(crate) struct SampledRect {
 
 /// Texels of which a pixel is the average.
 #[derive(Debug)]
-struct Taps {
+struct PixelTaps {
     first: i64,
     count: usize,
     start: f64,
@@ -210,7 +211,7 @@ struct Taps {
 }
 
 /// Texels below an interval, or the two around its middle if it is shorter than a texel.
-fn taps(start: f64, length: f64) -> Taps {
+fn taps(start: f64, length: f64) -> PixelTaps {
     let (start, end) = match length < 1.0 - 1e-9 {
         true => (start + 0.5 * length - 0.5, start + 0.5 * length + 0.5),
         false => (start, start + length),
@@ -218,10 +219,10 @@ fn taps(start: f64, length: f64) -> Taps {
     // Rounding does not add texels.
     let first = (start + 1e-6).floor();
     let last = (end - 1e-6).ceil().max(first + 1.0);
-    Taps { first: first as i64, count: (last - first) as usize, start, end }
+    PixelTaps { first: first as i64, count: (last - first) as usize, start, end }
 }
 
-fn mixed(taps: &Taps, number: impl Fn(usize) -> [f32; 4]) -> [f32; 4] {
+fn mixed(taps: &PixelTaps, number: impl Fn(usize) -> [f32; 4]) -> [f32; 4] {
     let (mut sum, mut total) = ([0.0; 4], 0.0);
     for i in 0..taps.count {
         let at = (taps.first + i as i64) as f64;
@@ -252,7 +253,7 @@ fn halved(
     [width, height]: [u32; 2],
     role: TextureRole,
     texel: impl Fn(u32, u32) -> ([u8; 4], u8) + Sync,
-) -> Copy {
+) -> ReducedCopy {
     let size = [width.div_ceil(2), height.div_ceil(2)];
     let of_pixel = |at: u32| {
         let (x, y) = (at % size[0] * 2, at / size[0] * 2);
@@ -275,14 +276,14 @@ fn halved(
         (role.pixel(sum.map(|x| x / total as f32)), total.div_ceil(count) as u8)
     };
     let (pixels, weights) = (0..size[0] * size[1]).into_par_iter().map(of_pixel).unzip();
-    Copy { size, pixels, weights }
+    ReducedCopy { size, pixels, weights }
 }
 
 /// Fills holes with the texels of the next copy.
 fn fill(
     pixels: &mut [[u8; 4]],
     width: u32,
-    coarser: &Copy,
+    coarser: &ReducedCopy,
     is_hole: impl Fn(usize, u32, u32) -> bool + Sync,
 ) {
     let rows = pixels.par_chunks_mut(width as usize).enumerate();

@@ -33,7 +33,7 @@ const MAX_COVERED_TEXELS: u64 = 1 << 33;
 const SIGNATURE_BYTES: usize = 16;
 
 /// The textures of a mesh.
-pub(crate) struct TextureSet {
+pub(crate) struct TileTextures {
     /// By material.
     pub(super) materials: Vec<MaterialTextures>,
     /// By image; `None` if no material uses it, or it is missing.
@@ -54,7 +54,7 @@ pub(super) struct StoredImage {
     pub file: (u64, usize),
 }
 
-impl TextureSet {
+impl TileTextures {
     /// Reads the textures of a mesh.
     pub(crate) fn read(
         file: &mut PagedFile,
