@@ -96,7 +96,7 @@ impl PagedReader {
     }
 
     /// Gives away the contents of an image; empty if they have not been supplied.
-    pub(crate) fn take_image(&mut self, index: u32) -> Vec<u8> {
+    pub fn take_image(&mut self, index: u32) -> Vec<u8> {
         let images = self.head.as_mut().map(|head| &mut head.metadata.images);
         let image = images.and_then(|images| images.get_mut(index as usize));
         image.map(|image| std::mem::take(&mut image.bytes)).unwrap_or_default()

@@ -73,7 +73,7 @@ impl Scan {
         let mut pixels = vec![vec![0u8; side * side * 4]; images];
         let margin = (PLACE_TEXELS - CHART_TEXELS) / 2;
         let (mut positions, mut texcoords, mut triangles, mut groups) = (vec![], vec![], vec![], vec![]);
-        for image in 0..images {
+        for (image, pixels) in pixels.iter_mut().enumerate() {
             let first = triangles.len() as u32;
             for chart in (0..CHARTS * CHARTS).filter(|&chart| place_of(chart, images).0 == image) {
                 let (_, place, is_turned) = place_of(chart, images);
@@ -86,7 +86,7 @@ impl Scan {
                     let [u, v] = [i, j].map(|k| k + margin - 1);
                     let at = (place[1] * PLACE_TEXELS + v) * side + place[0] * PLACE_TEXELS + u;
                     let [r, g, b] = color(x, y).map(|c| c.round() as u8);
-                    pixels[image][4 * at..][..4].copy_from_slice(&[r, g, b, opacity(x, y).round() as u8]);
+                    pixels[4 * at..][..4].copy_from_slice(&[r, g, b, opacity(x, y).round() as u8]);
                 }
                 let count = CELLS / CHARTS;
                 let base = positions.len() as u32;

@@ -3,6 +3,7 @@
 //! Each material of a tile has an atlas of the charts that it uses, for all of its textures alike. If that would be as
 //! large as the reduced images, as for images that repeat, the material has these, and its texture coordinates stay.
 
+use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, HashMap};
 use std::io;
 
@@ -31,13 +32,16 @@ pub(crate) struct DressedTile {
     pub reduced: Option<String>,
 }
 
+/// Set and texture coordinates.
+type NewTexCoord = (u8, [f32; 2]);
+
 /// The vertices and images of a tile while they are made.
 struct TileDresser<'a> {
     set: &'a TileTextures,
     mesh: &'a IndexedMesh,
     appearance: Appearance,
-    /// Vertex of each new vertex, and its new texture coordinates with their set.
-    vertices: Vec<(u32, Option<(u8, [f32; 2])>)>,
+    /// Vertex of each new vertex, and its new texture coordinates.
+    vertices: Vec<(u32, Option<NewTexCoord>)>,
     atlas_count: u64,
     reduced: Option<String>,
 }
@@ -117,11 +121,11 @@ impl TileDresser<'_> {
                 let size = size.map(|side| side.next_multiple_of(1 << coarser));
                 let mut made = BTreeMap::new();
                 for texture in &material.textures {
-                    if !made.contains_key(&texture.image) {
-                        let image = self.atlas(material, texture, &charts, size)?;
-                        made.insert(texture.image, image);
-                    }
-                    self.refer(&mut json, texture, made[&texture.image], true);
+                    let image = match made.entry(texture.image) {
+                        Entry::Occupied(image) => *image.get(),
+                        Entry::Vacant(place) => *place.insert(self.atlas(material, texture, &charts, size)?),
+                    };
+                    self.refer(&mut json, texture, image, true);
                 }
                 self.atlas_count += 1;
                 return Ok((json, charts, size));
@@ -133,11 +137,13 @@ impl TileDresser<'_> {
         }
         let mut made = BTreeMap::new();
         for texture in &material.textures {
-            if !made.contains_key(&texture.image) {
-                let image = self.whole(material, texture, step * limit.max(1.0))?;
-                made.insert(texture.image, image);
-            }
-            self.refer(&mut json, texture, made[&texture.image], false);
+            let image = match made.entry(texture.image) {
+                Entry::Occupied(image) => *image.get(),
+                Entry::Vacant(place) => {
+                    *place.insert(self.whole(material, texture, step * limit.max(1.0))?)
+                }
+            };
+            self.refer(&mut json, texture, image, false);
         }
         Ok((json, Vec::new(), [0; 2]))
     }
@@ -313,7 +319,7 @@ impl TileDresser<'_> {
             self.mesh.layers.iter().map(|layer| layer.gather(&order)).collect();
         for layer in &mut layers {
             let Semantic::TexCoord(set) = layer.semantic else { continue };
-            let new = |own: &Option<(u8, [f32; 2])>| own.filter(|(own, _)| *own == set).map(|(_, at)| at);
+            let new = |own: &Option<NewTexCoord>| own.filter(|(own, _)| *own == set).map(|(_, at)| at);
             if self.vertices.iter().any(|(_, own)| new(own).is_some()) {
                 let values =
                     self.vertices.iter().enumerate().flat_map(|(v, (_, own))| {

@@ -15,14 +15,11 @@ pub(crate) struct Coverage {
 }
 
 impl Coverage {
-    pub(crate) fn new([width, height]: [u32; 2]) -> Self {
+    /// A coverage of nothing, or of everything.
+    pub(crate) fn new([width, height]: [u32; 2], is_whole: bool) -> Self {
         let row_words = width.div_ceil(64) as usize;
-        Self { width, height, row_words, bits: vec![0; row_words * height as usize], is_whole: false }
-    }
-
-    /// A coverage of everything.
-    pub(crate) fn whole([width, height]: [u32; 2]) -> Self {
-        Self { width, height, row_words: 0, bits: Vec::new(), is_whole: true }
+        let bits = if is_whole { Vec::new() } else { vec![0; row_words * height as usize] };
+        Self { width, height, row_words, bits, is_whole }
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -104,7 +101,7 @@ mod tests {
 
     #[test]
     fn every_point_of_a_triangle_is_on_a_texel_that_counts() {
-        let mut coverage = Coverage::new([100, 40]);
+        let mut coverage = Coverage::new([100, 40], false);
         let corners = [[70.3, 5.5], [112.7, 9.1], [95.2, 33.9]];
         coverage.add(corners);
         for (i, j) in (0..=20).flat_map(|i| (0..=20 - i).map(move |j| (i, j))) {

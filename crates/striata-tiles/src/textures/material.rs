@@ -12,7 +12,7 @@ use striata_scene::textures::ImageInfo;
 use super::regions::Regions;
 
 /// A material and its textures.
-pub(super) struct MaterialTextures {
+pub(crate) struct MaterialTextures {
     /// The material without textures that are missing.
     pub material: Value,
     pub textures: Vec<MaterialTexture>,
@@ -27,7 +27,7 @@ pub(super) struct MaterialTextures {
 
 /// A texture of a material.
 #[derive(Clone, Debug)]
-pub(super) struct MaterialTexture {
+pub(crate) struct MaterialTexture {
     /// JSON pointer to the reference.
     pub pointer: String,
     pub image: usize,

@@ -26,6 +26,8 @@ mod pyramid;
 mod regions;
 mod tile_textures;
 
-pub(crate) use atlas::DressedTile;
-pub(crate) use material::without_textures;
-pub(crate) use tile_textures::{TEXELS_PER_ERROR, TileTextures};
+pub(crate) use self::{
+    atlas::DressedTile,
+    material::without_textures,
+    tile_textures::{TEXELS_PER_ERROR, TileTextures},
+};

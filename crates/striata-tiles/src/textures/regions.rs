@@ -6,7 +6,7 @@
 use super::coverage::Coverage;
 
 /// The regions of an image as runs of texels.
-pub(super) struct Regions {
+pub(crate) struct Regions {
     size: [u32; 2],
     /// First run of each row, and one beyond the last.
     rows: Vec<u32>,
@@ -91,7 +91,7 @@ mod tests {
 
     #[test]
     fn regions_are_connected_along_rows_and_columns() {
-        let mut coverage = Coverage::new([12, 6]);
+        let mut coverage = Coverage::new([12, 6], false);
         let picture =
             ["##..##......", "#...#..###..", "#####..#.#..", ".......#.#..", "..##...###..", "..##........"];
         for (y, x) in (0..6).flat_map(|y| (0..12).map(move |x| (y, x))) {

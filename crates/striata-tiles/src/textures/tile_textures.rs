@@ -35,9 +35,9 @@ const SIGNATURE_BYTES: usize = 16;
 /// The textures of a mesh.
 pub(crate) struct TileTextures {
     /// By material.
-    pub(super) materials: Vec<MaterialTextures>,
+    pub materials: Vec<MaterialTextures>,
     /// By image; `None` if no material uses it, or it is missing.
-    pub(super) images: Vec<Option<StoredImage>>,
+    pub images: Vec<Option<StoredImage>>,
     pub scratch: Scratch,
     pub quality: u8,
     /// Remarks on textures that are left out.
@@ -45,7 +45,7 @@ pub(crate) struct TileTextures {
 }
 
 /// An image on disk.
-pub(super) struct StoredImage {
+pub(crate) struct StoredImage {
     pub name: String,
     pub pyramid: Pyramid,
     pub format: ImageFormat,
@@ -242,7 +242,7 @@ fn coverages(materials: &[MaterialTextures], infos: &[Option<ImageInfo>]) -> Vec
         let size = info.map(|info| [info.width, info.height])?;
         total += u64::from(size[0]) * u64::from(size[1]);
         let is_whole = whole.contains(&index) || total > MAX_COVERED_TEXELS;
-        Some(if is_whole { Coverage::whole(size) } else { Coverage::new(size) })
+        Some(Coverage::new(size, is_whole))
     };
     infos.iter().enumerate().map(coverage).collect()
 }
