@@ -14,8 +14,6 @@ use striata_tiles::{TileFormat, TilesOptions, TilesReport, write_tiles};
 
 /// Cells of the surface along each side.
 const CELLS: usize = 96;
-/// Charts along each side.
-const CHARTS: usize = 8;
 /// Texels of a chart's side, and of its place in an image.
 const CHART_TEXELS: usize = 52;
 const PLACE_TEXELS: usize = 64;
@@ -39,10 +37,10 @@ struct Scan {
 }
 
 /// Image and place of a chart, and whether it is upside down.
-fn place_of(chart: usize, images: usize) -> (usize, [usize; 2], bool) {
-    let shuffled = chart * 29 % (CHARTS * CHARTS);
+fn place_of(chart: usize, images: usize, charts: usize) -> (usize, [usize; 2], bool) {
+    let shuffled = chart * 29 % (charts * charts);
     let (image, place) = (shuffled % images, shuffled / images);
-    (image, [place % CHARTS, place / CHARTS], chart % 2 == 1)
+    (image, [place % charts, place / charts], chart % 2 == 1)
 }
 
 fn encoded(width: usize, height: usize, rgba: Vec<u8>) -> Vec<u8> {
@@ -68,31 +66,32 @@ fn appearance(materials: &[Value], images: Vec<Image>) -> Appearance {
 }
 
 impl Scan {
-    fn new(images: usize, alpha_mode: &str) -> Self {
-        let side = CHARTS * PLACE_TEXELS;
+    /// With `charts` charts along each side.
+    fn new(images: usize, charts: usize, alpha_mode: &str) -> Self {
+        let side = charts * PLACE_TEXELS;
         let mut pixels = vec![vec![0u8; side * side * 4]; images];
         let margin = (PLACE_TEXELS - CHART_TEXELS) / 2;
         let (mut positions, mut texcoords, mut triangles, mut groups) = (vec![], vec![], vec![], vec![]);
         for (image, pixels) in pixels.iter_mut().enumerate() {
             let first = triangles.len() as u32;
-            for chart in (0..CHARTS * CHARTS).filter(|&chart| place_of(chart, images).0 == image) {
-                let (_, place, is_turned) = place_of(chart, images);
-                let corner = [chart % CHARTS, chart / CHARTS];
+            for chart in (0..charts * charts).filter(|&chart| place_of(chart, images, charts).0 == image) {
+                let (_, place, is_turned) = place_of(chart, images, charts);
+                let corner = [chart % charts, chart / charts];
                 // Texels reach one beyond the chart.
                 for (i, j) in (0..CHART_TEXELS + 2).flat_map(|i| (0..CHART_TEXELS + 2).map(move |j| (i, j))) {
                     let inside = [i, j].map(|k| (k as f64 - 0.5) / CHART_TEXELS as f64);
                     let inside = if is_turned { inside.map(|t| 1.0 - t) } else { inside };
-                    let [x, y] = [0, 1].map(|a| (corner[a] as f64 + inside[a]) / CHARTS as f64);
+                    let [x, y] = [0, 1].map(|a| (corner[a] as f64 + inside[a]) / charts as f64);
                     let [u, v] = [i, j].map(|k| k + margin - 1);
                     let at = (place[1] * PLACE_TEXELS + v) * side + place[0] * PLACE_TEXELS + u;
                     let [r, g, b] = color(x, y).map(|c| c.round() as u8);
                     pixels[4 * at..][..4].copy_from_slice(&[r, g, b, opacity(x, y).round() as u8]);
                 }
-                let count = CELLS / CHARTS;
+                let count = CELLS / charts;
                 let base = positions.len() as u32;
                 for (i, j) in (0..=count).flat_map(|j| (0..=count).map(move |i| (i, j))) {
                     let inside = [i, j].map(|k| k as f64 / count as f64);
-                    let [x, y] = [0, 1].map(|a| (corner[a] as f64 + inside[a]) / CHARTS as f64);
+                    let [x, y] = [0, 1].map(|a| (corner[a] as f64 + inside[a]) / charts as f64);
                     positions.push([x as f32, y as f32, (0.1 * (9.0 * x).sin() * (7.0 * y).cos()) as f32]);
                     let inside = if is_turned { inside.map(|t| 1.0 - t) } else { inside };
                     let texel = |a: usize| {
@@ -242,7 +241,7 @@ fn wrong_share(tiles: &TexturedTiles, channels: usize, limit: f64) -> Vec<f64> {
 
 #[test]
 fn points_have_the_colors_of_the_mesh() {
-    let tiles = tiled(&Scan::new(2, "OPAQUE").mesh, &options());
+    let tiles = tiled(&Scan::new(2, 8, "OPAQUE").mesh, &options());
     assert!(tiles.report.levels.len() >= 3 && tiles.report.atlases > 10, "{:?}", tiles.report);
     assert_eq!(tiles.report.left_out, [""; 0]);
     let wrong = wrong_share(&tiles, 3, 12.0);
@@ -255,21 +254,36 @@ fn points_have_the_colors_of_the_mesh() {
     for (index, level) in tiles.report.levels.iter().enumerate().skip(1) {
         assert!(level.error >= tiles.report.levels[index - 1].error, "{:?}", tiles.report.levels);
     }
-    let again = tiled(&Scan::new(2, "OPAQUE").mesh, &options());
+    let again = tiled(&Scan::new(2, 8, "OPAQUE").mesh, &options());
     assert_eq!(again.files, tiles.files);
 }
 
 #[test]
 fn opacity_is_kept() {
-    let tiles = tiled(&Scan::new(1, "BLEND").mesh, &options());
+    let tiles = tiled(&Scan::new(1, 8, "BLEND").mesh, &options());
     let wrong = wrong_share(&tiles, 4, 12.0);
     assert!(wrong.iter().all(|&share| share < 1e-3), "{wrong:?}");
     assert_eq!(base_color(&tiles.tiles[0].1, 0).2, "image/png");
 }
 
 #[test]
+fn colors_between_charts_are_not_shown() {
+    // Coarse levels have about a triangle for each chart.
+    let tiles = tiled(&Scan::new(1, 24, "OPAQUE").mesh, &options());
+    assert!(tiles.report.left_out[0].contains("corners in several"), "{:?}", tiles.report.left_out);
+    let (mut black, mut all) = (0.0, 0.0);
+    each_point(&tiles, |_, _, found, area| {
+        all += area;
+        black += if found[..3].iter().all(|&x| x < 12.0) { area } else { 0.0 };
+    });
+    assert!(black < 1e-3 * all, "{black} of {all}");
+    let wrong = wrong_share(&tiles, 3, 12.0);
+    assert!(wrong[0] < 1e-3 && wrong[1] < 0.05, "{wrong:?}");
+}
+
+#[test]
 fn images_that_repeat_stay_whole_and_missing_ones_are_named() {
-    let mut mesh = Scan::new(2, "OPAQUE").mesh;
+    let mut mesh = Scan::new(2, 8, "OPAQUE").mesh;
     // Twelve copies along each side, of colors that repeat.
     let side = 32;
     let wave = |t: f64, shift: f64| 127.0 + 100.0 * (std::f64::consts::TAU * t + shift).sin();
@@ -313,7 +327,7 @@ fn images_that_repeat_stay_whole_and_missing_ones_are_named() {
 
 #[test]
 fn without_textures_coordinates_stay() {
-    let mesh = Scan::new(1, "OPAQUE").mesh;
+    let mesh = Scan::new(1, 8, "OPAQUE").mesh;
     let tiles = tiled(&mesh, &with(|options| options.has_textures = false));
     assert_eq!((tiles.report.image_bytes, &tiles.report.left_out[..]), (0, &[][..]));
     for (_, mesh, _) in &tiles.tiles {
