@@ -169,10 +169,11 @@ fn sorted(folder: &Path) -> Vec<std::path::PathBuf> {
     paths
 }
 
-/// The image of the base color of a material, the offset of its texture coordinates, and its type.
+/// The image of the color of a material, the offset of its texture coordinates, and its type.
 fn base_color(mesh: &IndexedMesh, material: u32) -> (RgbaImage, [f64; 2], String) {
     let json: Value = serde_json::from_str(&mesh.appearance.materials[material as usize].gltf_json).unwrap();
-    let reference = &json["pbrMetallicRoughness"]["baseColorTexture"];
+    // The emissive image if there is one.
+    let reference = json.get("emissiveTexture").unwrap_or(&json["pbrMetallicRoughness"]["baseColorTexture"]);
     let offset = reference.pointer("/extensions/KHR_texture_transform/offset");
     let offset = [0, 1].map(|a| offset.map_or(0.0, |offset| offset[a].as_f64().unwrap()));
     let texture = &mesh.appearance.textures_json[reference["index"].as_u64().unwrap() as usize];
@@ -264,6 +265,51 @@ fn opacity_is_kept() {
     let wrong = wrong_share(&tiles, 4, 12.0);
     assert!(wrong.iter().all(|&share| share < 1e-3), "{wrong:?}");
     assert_eq!(base_color(&tiles.tiles[0].1, 0).2, "image/png");
+}
+
+#[test]
+fn smaller_images_have_smaller_atlases() {
+    let mut mesh = Scan::new(1, 8, "OPAQUE").mesh;
+    let full = RgbaImage::decode(&mesh.appearance.images[0].bytes, TextureRole::default(), 1 << 14).unwrap();
+    let side = full.width / 4;
+    // The middle of each square of four by four texels.
+    let texel = |i: u32| {
+        let at = |x: u32, y: u32| 4 * (y * full.width + x) as usize;
+        let [x, y] = [4 * (i % side) + 1, 4 * (i / side) + 1];
+        [0, 1, 2, 3].map(|c| {
+            let sum = [at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)]
+                .map(|at| u32::from(full.rgba[at + c]));
+            (sum.iter().sum::<u32>() / 4) as u8
+        })
+    };
+    let rgba = (0..side * side).flat_map(texel).collect();
+    mesh.appearance.images.push(image("glow", encoded(side as usize, side as usize, rgba)));
+    mesh.appearance.textures_json.push(json!({ "source": 1 }).to_string());
+    let mut material: Value = serde_json::from_str(&mesh.appearance.materials[0].gltf_json).unwrap();
+    material["emissiveTexture"] = json!({ "index": 1 });
+    mesh.appearance.materials[0].gltf_json = material.to_string();
+    let tiles = tiled(&mesh, &options());
+    assert!(tiles.report.atlases > 10);
+    let (_, finest, _) = &tiles.tiles[0];
+    let sizes = finest.appearance.images.iter().map(|image| {
+        let pixels = RgbaImage::decode(&image.bytes, TextureRole::default(), 1 << 14).unwrap();
+        [pixels.width, pixels.height]
+    });
+    let sizes: Vec<[u32; 2]> = sizes.collect();
+    assert!(
+        sizes.contains(&sizes[0].map(|side| side / 4)) || sizes.contains(&sizes[0].map(|side| side * 4)),
+        "{sizes:?}"
+    );
+    let (mut wrong, mut all) = (0.0, 0.0);
+    each_point(&tiles, |_, [x, y, _], found, area| {
+        // Texels at the borders of charts also have the color between charts.
+        if [x, y].iter().all(|t| (0.1..0.9).contains(&(8.0 * t).fract())) {
+            let expected = color(x, y);
+            all += area;
+            wrong += if (0..3).any(|c| (found[c] - expected[c]).abs() > 12.0) { area } else { 0.0 };
+        }
+    });
+    assert!(all > 4.0 && wrong < 1e-3 * all, "{wrong} of {all}");
 }
 
 #[test]
