@@ -108,14 +108,28 @@ impl PagedFile {
     /// [`PagedError`] if an image cannot be read or is damaged.
     pub fn load_images(&mut self) -> Result<(), PagedError> {
         for index in 0..self.metadata().images.len() as u32 {
-            let is_loaded = !self.metadata().images[index as usize].bytes.is_empty();
-            let Some(want) = self.reader.image_want(index).filter(|_| !is_loaded) else { continue };
-            let bytes = self.store.read(want.place, want.range)?;
-            self.statistics.request_count += 1;
-            self.statistics.byte_count += bytes.len() as u64;
-            self.reader.supply_image(index, bytes)?;
+            self.load_image(index)?;
         }
         Ok(())
+    }
+
+    /// Reads the contents of an image, unless that has been done or the file does not have them.
+    ///
+    /// # Errors
+    /// [`PagedError`] if the image cannot be read or is damaged.
+    pub fn load_image(&mut self, index: u32) -> Result<(), PagedError> {
+        let is_loaded =
+            self.metadata().images.get(index as usize).is_some_and(|image| !image.bytes.is_empty());
+        let Some(want) = self.reader.image_want(index).filter(|_| !is_loaded) else { return Ok(()) };
+        let bytes = self.store.read(want.place, want.range)?;
+        self.statistics.request_count += 1;
+        self.statistics.byte_count += bytes.len() as u64;
+        self.reader.supply_image(index, bytes)
+    }
+
+    /// Gives away the contents of an image, which must be read again before meshes have them.
+    pub fn take_image(&mut self, index: u32) -> Vec<u8> {
+        self.reader.take_image(index)
     }
 
     /// Fetches everything that the reader wants now.

@@ -95,6 +95,13 @@ impl PagedReader {
         }
     }
 
+    /// Gives away the contents of an image; empty if they have not been supplied.
+    pub fn take_image(&mut self, index: u32) -> Vec<u8> {
+        let images = self.head.as_mut().map(|head| &mut head.metadata.images);
+        let image = images.and_then(|images| images.get_mut(index as usize));
+        image.map(|image| std::mem::take(&mut image.bytes)).unwrap_or_default()
+    }
+
     /// Number of pages; 0 before the head has arrived.
     pub fn page_count(&self) -> u32 {
         self.head.as_ref().map_or(0, |head| head.page_count)

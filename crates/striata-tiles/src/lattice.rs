@@ -12,6 +12,8 @@
 use striata::mesh::Bounds;
 use striata_paged::{Metadata, StepTiers};
 
+use crate::textures::TileTextures;
+
 /// Most levels above the finest.
 pub(crate) const MAX_LEVEL: u32 = 14;
 /// Base-2 logarithm of the number of steps of a tile's side, rounded up.
@@ -110,8 +112,8 @@ impl TileShape {
     }
 
     /// Number of levels above the finest, so that its tiles have about `tile_triangles` triangles.
-    pub(crate) fn level_count(&self, metadata: &Metadata, tile_triangles: u64) -> u32 {
-        let tiles = metadata.triangle_count as f64 / tile_triangles.max(1) as f64;
+    pub(crate) fn level_count(&self, metadata: &Metadata, tile_triangles: f64) -> u32 {
+        let tiles = metadata.triangle_count as f64 / tile_triangles;
         (0..MAX_LEVEL).find(|&depth| self.tile_count(metadata, depth) >= tiles).unwrap_or(MAX_LEVEL)
     }
 
@@ -121,7 +123,7 @@ impl TileShape {
         metadata: &Metadata,
         tiers: &StepTiers,
         base_triangle_count: u64,
-        tile_triangles: u64,
+        tile_triangles: f64,
     ) -> Vec<LevelTiers> {
         let base = base_triangle_count as f64;
         let removable = metadata.triangle_count as f64 - base;
@@ -130,7 +132,7 @@ impl TileShape {
         let count = self.level_count(metadata, tile_triangles);
         let level = |number: u32| {
             let wanted = metadata.triangle_count as f64 / 4f64.powi(number as i32);
-            let wanted = wanted.min(self.tile_count(metadata, count - number) * tile_triangles as f64);
+            let wanted = wanted.min(self.tile_count(metadata, count - number) * tile_triangles);
             let is_enough = |tier: &u16| triangles_at(*tier) <= wanted;
             let tier = match number {
                 0 => 0,
@@ -140,6 +142,17 @@ impl TileShape {
             LevelTiers { tier, border_tier, error: tiers.error_below(tier).into() }
         };
         (0..=count).map(level).collect()
+    }
+
+    /// Lengths of the texels of all levels.
+    pub(crate) fn texels(
+        &self,
+        metadata: &Metadata,
+        textures: &TileTextures,
+        levels: &[LevelTiers],
+    ) -> Vec<f64> {
+        let tile_counts = (0..levels.len() as u32).rev().map(|depth| self.tile_count(metadata, depth));
+        levels.iter().zip(tile_counts).map(|(level, tiles)| textures.texel_of(level.error, tiles)).collect()
     }
 }
 

@@ -15,15 +15,18 @@
 //! | `lattice.rs` | the lattice, the planes, the levels, and what is refined in a block of tiles |
 //! | `tile_mesh.rs` | triangles cut at planes, and the mesh of a tile |
 //! | `earth.rs` | from map coordinates to earth-centered ones |
+//! | `textures/` | images, and the atlases of tiles |
 //! | `tileset.rs`, `sink.rs` | `tileset.json`, and the folder or archive |
 //!
 //! Cost: each page is read once for the tiers and about twice for each level that needs it. Memory holds a block of
-//! about a million triangles with its pages, and a byte per position.
+//! about a million triangles with its pages, and a byte per position. Textures add a pass over the finest surface;
+//! memory holds one decoded image at a time, and a file next to the output a third more than all of them.
 
 mod earth;
 mod error;
 mod lattice;
 mod sink;
+mod textures;
 mod tile_mesh;
 mod tileset;
 
@@ -32,8 +35,7 @@ use std::path::Path;
 
 use rayon::prelude::*;
 use serde::Serialize;
-use serde_json::Value;
-use striata::mesh::{Appearance, IndexedMesh};
+use striata::mesh::IndexedMesh;
 use striata::{Progress, ProgressFn};
 use striata_io::{Format, QuantizeOptions, WriteOptions, encode_mesh, shaded};
 use striata_paged::{Metadata, PagedFile, StepTiers};
@@ -43,11 +45,14 @@ pub use lattice::Up;
 use lattice::{Cell, LevelTiers, TileBlock, TileLattice, TileShape};
 use sink::Sink;
 pub use sink::check_output;
-use tile_mesh::{LevelMesh, TileMesh};
+use textures::{DressedTile, TEXELS_PER_ERROR, TileTextures, without_textures};
+use tile_mesh::LevelMesh;
 use tileset::{Tile, TileTree, path_of, turned};
 
 /// Triangles of a block of tiles that are made together, about.
-const BLOCK_TRIANGLES: u64 = 1 << 20;
+const BLOCK_TRIANGLES: f64 = (1 << 20) as f64;
+/// A level with a larger share of triangles that have corners in several charts is worth a remark.
+const MOST_MIXED: f64 = 0.05;
 /// Tiles that are encoded at the same time.
 const ENCODED_TOGETHER: usize = 32;
 
@@ -82,6 +87,10 @@ pub struct TilesOptions {
     pub has_skirts: bool,
     /// Whether a mesh without normals gets smooth ones, and one without materials a matte one; default yes.
     pub shading: bool,
+    /// Whether tiles have the textures of the mesh; default yes.
+    pub has_textures: bool,
+    /// Quality of the JPEG images of textures, 1 to 100; default 90.
+    pub texture_quality: u8,
 }
 
 impl Default for TilesOptions {
@@ -93,6 +102,8 @@ impl Default for TilesOptions {
             is_local: false,
             has_skirts: false,
             shading: true,
+            has_textures: true,
+            texture_quality: 90,
         }
     }
 }
@@ -106,6 +117,10 @@ pub struct TilesReport {
     pub triangles: u64,
     /// Number of bytes of all contents.
     pub bytes: u64,
+    /// Number of texture atlases, each with the charts of a material of a tile.
+    pub atlases: u64,
+    /// Number of bytes of all images of textures.
+    pub image_bytes: u64,
     /// The levels, finest first.
     pub levels: Vec<TileLevel>,
     /// Geometric error of the root, in mesh units: an estimate, as errors of paged files are.
@@ -154,10 +169,27 @@ pub fn write_tiles(
     let tiers = file.tiers(|done, total| {
         Progress { phase: "read", done, total }.report(progress).map_err(TilesError::from)
     })?;
+    let mut warnings = left_out(&metadata);
+    let textures = match options.has_textures && !metadata.images.is_empty() {
+        true => {
+            let textures = TileTextures::read(file, &tiers, output, options.texture_quality, progress)?;
+            warnings.extend(textures.warnings.iter().cloned());
+            Some(textures)
+        }
+        false => None,
+    };
     let shape = TileShape::of(&metadata, &tiers, options.up);
     let up = shape.up;
     let base = file.reader().entry(0).map_or(0, |entry| u64::from(entry.triangle_count));
-    let levels = shape.levels(&metadata, &tiers, base, options.tile_triangles);
+    // As many tiles as textures need, if that is more.
+    let tile_triangles =
+        textures.as_ref().map_or(f64::INFINITY, |textures| textures.tile_triangles(&metadata));
+    let tile_triangles = tile_triangles.min(options.tile_triangles.max(1) as f64);
+    let levels = shape.levels(&metadata, &tiers, base, tile_triangles);
+    let texels: Vec<f64> = match &textures {
+        Some(textures) => shape.texels(&metadata, textures, &levels),
+        None => vec![0.0; levels.len()],
+    };
     let lattice = TileLattice::new(&metadata, shape.is_divided, levels.len() as u32 - 1);
     if options.has_skirts && lattice.is_divided == [true; 3] {
         return Err(TilesError::Skirts { name });
@@ -176,13 +208,24 @@ pub fn write_tiles(
         tiers: &tiers,
         lattice: &lattice,
         levels: &levels,
+        textures: textures.as_ref().map(|textures| (textures, &texels[..])),
         options,
         up,
         tiles: BTreeMap::new(),
-        warnings: left_out(&metadata),
+        image_counts: [0; 2],
+        mixed_counts: vec![[0; 2]; levels.len()],
+        warnings,
     };
-    tiler.write_all(output, &mut sink, progress)?;
-    let Tiler { tiles, mut warnings, .. } = tiler;
+    tiler.write_all(output, tile_triangles, &mut sink, progress)?;
+    let Tiler { tiles, image_counts, mixed_counts, mut warnings, .. } = tiler;
+    let is_smeared = |&(_, &[mixed, all]): &(usize, &[u64; 2])| mixed as f64 > MOST_MIXED * all as f64;
+    if let Some((level, [mixed, all])) = mixed_counts.iter().enumerate().find(is_smeared) {
+        let percent = 100 * mixed / all;
+        warnings.insert(format!(
+            "the charts of textures are small: {percent} % of the triangles of level {level} had corners in several, \
+             which smears their colors"
+        ));
+    }
     if metadata.georeference.is_some() && !options.is_local && place.is_none() {
         let reason = if up == Up::Y { "the z axis is not up" } else { "it names no coordinate system" };
         warnings.insert(format!("the georeference is left out: {reason}"));
@@ -190,9 +233,9 @@ pub fn write_tiles(
     if tiles.is_empty() {
         return Err(TilesError::Empty { name });
     }
-    let errors = (0u32..).zip(&levels).map(|(number, level)| match number {
+    let errors = (0u32..).zip(&levels).zip(&texels).map(|((number, level), texel)| match number {
         0 => 0.0,
-        _ => level.error + lattice.largest_move(number),
+        _ => (level.error + lattice.largest_move(number)).max(TEXELS_PER_ERROR * texel),
     });
     let tree =
         TileTree { lattice: &lattice, up, errors: errors.collect(), tiles, extent: metadata.diagonal() };
@@ -205,7 +248,8 @@ pub fn write_tiles(
         sink.put(&path, value.to_string().as_bytes()).map_err(failed)?;
     }
     sink.finish(output).map_err(failed)?;
-    Ok(report(&tree, place, warnings))
+    let [atlases, image_bytes] = image_counts;
+    Ok(TilesReport { atlases, image_bytes, ..report(&tree, place, warnings) })
 }
 
 fn report(tree: &TileTree<'_>, place: Option<earth::EarthPlace>, warnings: BTreeSet<String>) -> TilesReport {
@@ -223,6 +267,8 @@ fn report(tree: &TileTree<'_>, place: Option<earth::EarthPlace>, warnings: BTree
         tiles: tree.tiles.len() as u64,
         triangles: levels.iter().map(|level| level.triangles).sum(),
         bytes: levels.iter().map(|level| level.bytes).sum(),
+        atlases: 0,
+        image_bytes: 0,
         error: levels.last().map_or(0.0, |level| level.error),
         levels,
         step: tree.lattice.step(0),
@@ -236,12 +282,6 @@ fn report(tree: &TileTree<'_>, place: Option<earth::EarthPlace>, warnings: BTree
 /// Remarks on data of a mesh that tiles do not contain.
 fn left_out(metadata: &Metadata) -> BTreeSet<String> {
     let mut warnings = BTreeSet::new();
-    if let Some(first) = metadata.images.first() {
-        let name = [&first.name, &first.uri].into_iter().find(|name| !name.is_empty());
-        let name = name.map_or("without a name", String::as_str);
-        let count = metadata.images.len();
-        warnings.insert(format!("tiles have no textures: {count} images are left out, the first is {name}"));
-    }
     for layer in &metadata.triangle_layers {
         let name = layer.semantic.strip_prefix("generic_").unwrap_or(&layer.semantic);
         warnings.insert(format!("the property {name} of faces is left out: tiles have none"));
@@ -255,9 +295,15 @@ struct Tiler<'a> {
     tiers: &'a StepTiers,
     lattice: &'a TileLattice,
     levels: &'a [LevelTiers],
+    /// The textures, and the length of their texels at each level.
+    textures: Option<(&'a TileTextures, &'a [f64])>,
     options: &'a TilesOptions,
     up: Up,
     tiles: BTreeMap<(u32, Cell), Tile>,
+    /// Number of atlases, and of the bytes of all images.
+    image_counts: [u64; 2],
+    /// Number of triangles of each level with corners in several charts, and of all.
+    mixed_counts: Vec<[u64; 2]>,
     warnings: BTreeSet<String>,
 }
 
@@ -265,12 +311,13 @@ impl Tiler<'_> {
     fn write_all(
         &mut self,
         output: &Path,
+        tile_triangles: f64,
         sink: &mut Sink,
         progress: &mut ProgressFn<'_>,
     ) -> Result<(), TilesError> {
         let top = self.levels.len() as u32 - 1;
         let mut height = 0;
-        while height < top && 4u64.pow(height) * self.options.tile_triangles.max(1) < BLOCK_TRIANGLES {
+        while height < top && 4f64.powi(height as i32) * tile_triangles.max(1.0) < BLOCK_TRIANGLES {
             height += 1;
         }
         let blocks: Vec<(u32, [Cell; 2])> =
@@ -311,7 +358,12 @@ impl Tiler<'_> {
     fn write_block(&mut self, number: u32, cells: [Cell; 2], sink: &mut Sink) -> Result<(), BlockError> {
         let block = TileBlock { lattice: self.lattice, level: self.levels[number as usize], number, cells };
         let cut = self.file.cut_tiers(self.tiers, |tier, bounds| block.wants(tier, bounds))?;
-        let mesh = IndexedMesh { appearance: without_textures(cut.mesh.appearance), ..cut.mesh };
+        let mut mesh = cut.mesh;
+        if let Some((textures, _)) = self.textures {
+            let all = mesh.triangles.len() as u64;
+            self.mixed_counts[number as usize][0] += textures.unmix(&mut mesh);
+            self.mixed_counts[number as usize][1] += all;
+        }
         let mesh = if self.options.shading { &*shaded(&mesh) } else { &mesh };
         let skirt = match self.levels.get(number as usize + 1) {
             Some(next) if self.options.has_skirts => {
@@ -323,32 +375,55 @@ impl Tiler<'_> {
         let tiles: Vec<(Cell, Vec<u32>)> = level.tiles().into_iter().collect();
         let options = self.write_options(number);
         for some in tiles.chunks(ENCODED_TOGETHER) {
-            let encoded: Vec<_> = some
+            let encoded: Vec<Result<_, BlockError>> = some
                 .par_iter()
                 .filter_map(|(cell, triangles)| Some((*cell, level.tile(*cell, triangles)?)))
                 .map(|(cell, tile)| {
-                    (
-                        cell,
-                        encode_mesh(Format::Glb, &tile.mesh, &options, None).map(|encoded| (encoded, tile)),
-                    )
+                    let bounds = tile.bounds();
+                    let tile = self.dressed(tile.mesh, number)?;
+                    let encoded = encode_mesh(Format::Glb, &tile.mesh, &options, None)?;
+                    Ok((cell, bounds, tile, encoded))
                 })
                 .collect();
-            for (cell, encoded) in encoded {
-                let (encoded, tile) = encoded?;
+            for encoded in encoded {
+                let (cell, bounds, tile, encoded) = encoded?;
                 sink.put(&path_of(number, cell, "glb"), &encoded.bytes).map_err(BlockError::Sink)?;
                 self.warnings.extend(encoded.warnings.into_iter().map(|warning| warning.reason));
-                let TileMesh { mesh } = &tile;
+                self.warnings.extend(tile.reduced.map(|name| {
+                    format!(
+                        "images of the material {name} are reduced: they do not fit into an atlas of a tile"
+                    )
+                }));
+                let DressedTile { mesh, atlas_count, image_bytes, .. } = tile;
+                self.image_counts = [self.image_counts[0] + atlas_count, self.image_counts[1] + image_bytes];
                 let (triangle_count, byte_count) = (mesh.triangle_count() as u64, encoded.bytes.len() as u64);
-                self.tiles.insert((number, cell), Tile { bounds: tile.bounds(), triangle_count, byte_count });
+                self.tiles.insert((number, cell), Tile { bounds, triangle_count, byte_count });
             }
         }
         Ok(())
     }
 
+    /// A tile with its textures.
+    fn dressed(&self, mesh: IndexedMesh, level: u32) -> Result<DressedTile, BlockError> {
+        match self.textures {
+            Some((textures, texels)) => {
+                let texel = if level == 0 { 0.0 } else { texels[level as usize] };
+                textures.dress(&mesh, texel).map_err(BlockError::Sink)
+            }
+            None => {
+                let mesh = IndexedMesh { appearance: without_textures(mesh.appearance), ..mesh };
+                Ok(DressedTile { mesh, atlas_count: 0, image_bytes: 0, reduced: None })
+            }
+        }
+    }
+
     fn write_options(&self, level: u32) -> WriteOptions {
         let options = WriteOptions::default().with_z_up(self.up == Up::Z).with_cache_order(true);
         let step = Some(self.lattice.exponent + level as i32);
-        let quantized = || options.clone().with_quantize(QuantizeOptions::default().with_step_log2(step));
+        let quantize = QuantizeOptions::default().with_step_log2(step);
+        // Twelve bits are half a texel of an atlas.
+        let quantize = if self.textures.is_some() { quantize.with_texcoord_bits(14) } else { quantize };
+        let quantized = || options.clone().with_quantize(quantize.clone());
         match self.options.format {
             TileFormat::Float => options,
             TileFormat::Quantized => quantized(),
@@ -367,31 +442,5 @@ enum BlockError {
 impl<E: Into<TilesError>> From<E> for BlockError {
     fn from(error: E) -> Self {
         Self::Tiles(error.into())
-    }
-}
-
-/// Materials without what refers to textures.
-fn without_textures(appearance: Appearance) -> Appearance {
-    let mut appearance = Appearance {
-        images: Vec::new(),
-        textures_json: Vec::new(),
-        samplers_json: Vec::new(),
-        georeference: String::new(),
-        ..appearance
-    };
-    for material in &mut appearance.materials {
-        if let Ok(mut value) = serde_json::from_str(&material.gltf_json) {
-            remove_textures(&mut value);
-            material.gltf_json = value.to_string();
-        }
-    }
-    appearance
-}
-
-/// Removes references to textures, which are objects with an index whose names end in `Texture`.
-fn remove_textures(value: &mut Value) {
-    if let Value::Object(members) = value {
-        members.retain(|name, value| !(name.ends_with("Texture") && value.get("index").is_some()));
-        members.iter_mut().for_each(|(_, value)| remove_textures(value));
     }
 }

@@ -1,18 +1,19 @@
 //! Tilesets of many meshes: valid trees, and no cracks within a level or between levels.
 
+mod common;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
+use common::{built, try_built};
 use proptest::prelude::*;
 use serde_json::Value;
 use striata::ignore_progress;
 use striata::mesh::{AttributeLayer, IndexedMesh, Material, Semantic, TriangleGroup, shapes};
 use striata_paged::PagedFile;
-use striata_paged::build::{BuildInput, BuildOptions, BuildPaths, PagedPlan, run_all};
 use striata_testing::meshes::{nasty, two_sided};
 use striata_tiles::{TileFormat, TileLevel, TilesError, TilesOptions, TilesReport, Up, write_tiles};
-use tempfile::TempDir;
 
 type Point = [f64; 3];
 type Cell = [i64; 3];
@@ -30,26 +31,6 @@ struct Tileset {
     pub report: TilesReport,
     pub tiles: Vec<ReadTile>,
     json: Value,
-}
-
-/// A paged file of a mesh, unless no file can hold it.
-fn try_built(mesh: &IndexedMesh) -> Option<(TempDir, PagedFile)> {
-    let folder = tempfile::tempdir().unwrap();
-    let (input, output) = (folder.path().join("mesh.glb"), folder.path().join("mesh.striata"));
-    striata_io::write(&input, mesh, &striata_io::WriteOptions::default()).ok()?;
-    let work = folder.path().join("work");
-    let options = BuildOptions { cell: 2000, exact: true, ..BuildOptions::default() };
-    let paths = BuildPaths { output: &output, folder: &work };
-    let plan =
-        PagedPlan::make(BuildInput::Files(vec![input]), options, paths, 1, &mut ignore_progress).ok()?;
-    run_all(&plan, 1, &mut ignore_progress).ok()?;
-    plan.remove_work().unwrap();
-    let file = PagedFile::open(output.to_str().unwrap()).unwrap();
-    Some((folder, file))
-}
-
-fn built(mesh: &IndexedMesh) -> (TempDir, PagedFile) {
-    try_built(mesh).expect("the mesh can be built")
 }
 
 fn tiled(mesh: &IndexedMesh, options: &TilesOptions) -> Tileset {
@@ -371,7 +352,11 @@ fn attributes_and_materials_are_kept() {
         |first, material| TriangleGroup { name: String::new(), material: Some(material), first, count: half };
     mesh.groups = vec![group(0, 0), group(half, 1)];
     let set = tiled(&mesh, &options(300));
-    assert_eq!(set.report.left_out, ["tiles have no textures: 1 images are left out, the first is photo"]);
+    let expected = [
+        "textures of the material rock are left out: the mesh has no texcoord_0",
+        "the image photo is left out: it is missing",
+    ];
+    assert_eq!(set.report.left_out, expected);
     let mut names = BTreeSet::new();
     for tile in &set.tiles {
         let color =

@@ -36,6 +36,12 @@ pub(crate) struct TilesArgs {
     /// Keep a mesh without normals or materials as it is; viewers show it with flat facets, as white metal
     #[arg(long)]
     pub raw: bool,
+    /// Leave out textures; texture coordinates stay
+    #[arg(long, conflicts_with = "texture_quality")]
+    pub no_textures: bool,
+    /// Quality of the JPEG images of textures, from 1 to 100
+    #[arg(long, value_name = "N", default_value_t = 90, value_parser = clap::value_parser!(u8).range(1..=100))]
+    pub texture_quality: u8,
     /// Add vertical strips below the borders of the tiles of a terrain
     #[arg(long)]
     pub skirts: bool,

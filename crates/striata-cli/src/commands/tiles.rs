@@ -69,6 +69,7 @@ fn options_of(args: &TilesArgs) -> TilesOptions {
         UpAxis::Y => Up::Y,
         UpAxis::Z => Up::Z,
     });
+    (options.has_textures, options.texture_quality) = (!args.no_textures, args.texture_quality);
     (options.is_local, options.has_skirts, options.shading) = (args.local, args.skirts, !args.raw);
     options
 }
@@ -125,8 +126,15 @@ fn text_of(report: &WrittenTileset<'_>) -> String {
         Some(epsg) => format!("on the Earth (EPSG:{epsg})"),
         None => "in the coordinates of the input".to_owned(),
     };
+    let images = match tileset.image_bytes {
+        0 => String::new(),
+        bytes => {
+            let atlases = format_count(tileset.atlases as usize);
+            format!(" ({} of images, {atlases} atlases)", format_bytes(bytes as usize))
+        }
+    };
     format!(
-        "{}: {} tiles of {} levels, {}, {place}; errors are estimates\nwritten in {}\n\n{}",
+        "{}: {} tiles of {} levels, {}{images}, {place}; errors are estimates\nwritten in {}\n\n{}",
         report.output.display(),
         format_count(tileset.tiles as usize),
         tileset.levels.len(),

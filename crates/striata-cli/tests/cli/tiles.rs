@@ -68,6 +68,49 @@ fn a_georeference_becomes_a_place_on_the_earth() {
     assert!(!bench.path("odd").exists());
 }
 
+/// A surface of `count` squares along each side, with a material whose image may be missing.
+fn write_textured(bench: &Workbench, count: usize, has_image: bool) {
+    let mut obj = String::from("mtllib t.mtl\nusemtl paint\n");
+    for (i, j) in (0..=count).flat_map(|j| (0..=count).map(move |i| (i, j))) {
+        let [x, y] = [i, j].map(|k| k as f64 / count as f64);
+        obj += &format!("v {x} {y} {}\nvt {x} {y}\n", 0.1 * (9.0 * x).sin() * (7.0 * y).cos());
+    }
+    for (i, j) in (0..count).flat_map(|j| (0..count).map(move |i| (i, j))) {
+        let [a, b] = [1 + j * (count + 1) + i, 1 + (j + 1) * (count + 1) + i];
+        obj += &format!("f {a}/{a} {0}/{0} {1}/{1} {b}/{b}\n", a + 1, b + 1);
+    }
+    bench.write("t.obj", obj);
+    bench.write("t.mtl", "newmtl paint\nmap_Kd paint.png\n");
+    if has_image {
+        let mut png = Vec::new();
+        let mut encoder = png::Encoder::new(&mut png, 256, 256);
+        encoder.set_color(png::ColorType::Rgb);
+        let pixels: Vec<u8> = (0..256u32 * 256).flat_map(|i| [i, i >> 8, i >> 3].map(|x| x as u8)).collect();
+        encoder.write_header().unwrap().write_image_data(&pixels).unwrap();
+        bench.write("paint.png", png);
+    }
+}
+
+#[test]
+fn textures_become_atlases() {
+    let bench = Workbench::new();
+    write_textured(&bench, 80, false);
+    let missing = bench.json("tiles t.obj -o missing --tile-triangles 1000");
+    assert!(missing["left_out"][0].as_str().unwrap().contains("paint.png"), "{missing}");
+    assert_eq!(missing["image_bytes"], 0);
+    write_textured(&bench, 80, true);
+    let report = bench.json("tiles t.obj -o t --tile-triangles 1000 --draco");
+    assert_eq!(report["left_out"], serde_json::json!([]));
+    assert!(report["atlases"].as_u64().unwrap() >= 4, "{report}");
+    let coarse = bench.json("tiles t.obj -o coarse --tile-triangles 1000 --draco --texture-quality 20");
+    assert!(coarse["image_bytes"].as_u64() < report["image_bytes"].as_u64(), "{coarse}");
+    let plain = bench.json("tiles t.obj -o plain --tile-triangles 1000 --no-textures");
+    assert_eq!((&plain["image_bytes"], &plain["left_out"]), (&0.into(), &serde_json::json!([])));
+    // Nothing temporary is left.
+    let folders = ["coarse", "missing", "paint.png", "plain", "t", "t.mtl", "t.obj"];
+    assert_eq!(bench.names(), folders);
+}
+
 #[test]
 fn what_cannot_be_done_is_refused_by_name() {
     let bench = Workbench::new();
@@ -82,6 +125,8 @@ fn what_cannot_be_done_is_refused_by_name() {
         ("tiles t.striata -o out --meshopt --draco", "cannot be used with"),
         ("tiles shape:torus -o out --up y --skirts", "skirts are for terrains"),
         ("tiles none.ply -o out", "none.ply"),
+        ("tiles t.striata -o out --no-textures --texture-quality 3", "cannot be used with"),
+        ("tiles t.striata -o out --texture-quality 0", "texture-quality"),
         ("tiles t.striata -o no/out", "no/out"),
     ] {
         let text = bench.refused(arguments);

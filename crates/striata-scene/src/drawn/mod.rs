@@ -40,4 +40,4 @@ pub use instances::DrawnInstance;
 pub use light::{Light, LightKind, lights};
 pub use material::{AlphaMode, Material, materials};
 pub use posed_mesh::{MAX_POSED_COUNT, posed_mesh};
-pub use texture_use::{Sampler, TextureUse, UvTransform, Wrap};
+pub use texture_use::{Sampler, TextureReader, TextureUse, UvTransform, Wrap};

@@ -64,14 +64,17 @@ pub struct TextureUse {
 }
 
 /// Reads texture references of one document.
-pub(super) struct TextureReader<'s> {
+#[derive(Clone, Copy, Debug)]
+pub struct TextureReader<'s> {
+    /// The document: its textures and samplers.
     pub document: &'s Value,
+    /// Its images, of which the first bytes are enough.
     pub images: &'s [striata::mesh::Image],
 }
 
 impl TextureReader<'_> {
     /// Reads a member that refers to a texture; [`None`] if it is absent or broken.
-    pub(super) fn read(&self, value: &Value, key: &str) -> Option<TextureUse> {
+    pub fn read(&self, value: &Value, key: &str) -> Option<TextureUse> {
         let info = value.get(key)?;
         let texture = entries(self.document, "textures").get(index(info, "index")?)?;
         let sampler = index(texture, "sampler");

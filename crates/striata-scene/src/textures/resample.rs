@@ -5,8 +5,7 @@
 
 use std::collections::VecDeque;
 
-use super::role::{AlphaUse, TextureRole, TextureTransfer};
-use super::srgb::{linear_of_bytes, srgb_byte};
+use super::role::TextureRole;
 
 /// An image of 8-bit RGBA pixels.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -53,7 +52,7 @@ pub(super) fn reduce(image: &Pixels, [width, height]: [u32; 2], role: TextureRol
                 (0..4).for_each(|channel| sum[channel] += weight * pixel[channel]);
             }
         }
-        out.rgba.extend(line.iter().flat_map(|&pixel| to_bytes(pixel, role)));
+        out.rgba.extend(line.iter().flat_map(|&pixel| role.pixel(pixel)));
     }
     out
 }
@@ -86,7 +85,7 @@ fn filter(from: u32, to: u32) -> Vec<ResampleTaps> {
 fn reduced_row(image: &Pixels, row: usize, columns: &[ResampleTaps], role: TextureRole) -> Vec<[f32; 4]> {
     let width = image.width as usize;
     let (bytes, _) = image.rgba[row * width * 4..(row + 1) * width * 4].as_chunks::<4>();
-    let linear: Vec<[f32; 4]> = bytes.iter().map(|&pixel| to_linear(pixel, role)).collect();
+    let linear: Vec<[f32; 4]> = bytes.iter().map(|&pixel| role.numbers(pixel)).collect();
     let reduced = columns.iter().map(|taps| {
         let mut sum = [0.0f32; 4];
         for (pixel, &weight) in linear[taps.first..].iter().zip(&taps.weights) {
@@ -97,48 +96,9 @@ fn reduced_row(image: &Pixels, row: usize, columns: &[ResampleTaps], role: Textu
     reduced.collect()
 }
 
-/// Weight of a pixel that is invisible: it decides the color only if no visible pixel does.
-const INVISIBLE: f32 = 1e-3;
-
-/// Returns the numbers that are averaged; colors with opacity are multiplied by it.
-fn to_linear([r, g, b, a]: [u8; 4], role: TextureRole) -> [f32; 4] {
-    let alpha = f32::from(a) / 255.0;
-    let color = match role.transfer {
-        TextureTransfer::Srgb => [r, g, b].map(|x| linear_of_bytes()[x as usize]),
-        TextureTransfer::Linear => [r, g, b].map(|x| f32::from(x) / 255.0),
-        TextureTransfer::Normal => [r, g, b].map(|x| f32::from(x) / 127.5 - 1.0),
-    };
-    match role.alpha {
-        AlphaUse::Coverage => {
-            let weight = alpha + INVISIBLE;
-            [color[0] * weight, color[1] * weight, color[2] * weight, alpha]
-        }
-        AlphaUse::Unused => [color[0], color[1], color[2], 1.0],
-        AlphaUse::Data => [color[0], color[1], color[2], alpha],
-    }
-}
-
-fn to_bytes([r, g, b, alpha]: [f32; 4], role: TextureRole) -> [u8; 4] {
-    let mut color = [r, g, b];
-    if role.alpha == AlphaUse::Coverage {
-        color = color.map(|x| x / (alpha + INVISIBLE));
-    }
-    let byte = |x: f32| (x * 255.0 + 0.5).clamp(0.0, 255.0) as u8;
-    let [r, g, b] = match role.transfer {
-        TextureTransfer::Srgb => color.map(srgb_byte),
-        TextureTransfer::Linear => color.map(byte),
-        TextureTransfer::Normal => {
-            let length = color.iter().map(|x| x * x).sum::<f32>().sqrt();
-            // Opposite directions may cancel out.
-            let unit = if length > 1e-6 { color.map(|x| x / length) } else { [0.0, 0.0, 1.0] };
-            unit.map(|x| byte((x + 1.0) * 0.5))
-        }
-    };
-    [r, g, b, byte(alpha)]
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::role::{AlphaUse, TextureTransfer};
     use super::*;
 
     fn role(transfer: TextureTransfer, alpha: AlphaUse) -> TextureRole {

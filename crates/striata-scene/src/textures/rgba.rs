@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use super::TextureError;
 use super::decode::decode;
+use super::encode::encode;
 use super::resample::{Pixels, reduce, reduced_size};
 use super::role::TextureRole;
+use super::{EncodedImage, ImageFormat, TextureError};
 
 /// A decoded image of 8-bit RGBA pixels.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,6 +32,20 @@ impl RgbaImage {
         let is_small = size == [pixels.width, pixels.height];
         let Pixels { width, height, rgba } = if is_small { pixels } else { reduce(&pixels, size, role) };
         Ok(Self { width, height, rgba: rgba.into() })
+    }
+
+    /// Encodes the image as PNG, JPEG or lossless WebP. JPEG has no alpha, and a quality of 1 to 100.
+    ///
+    /// # Errors
+    /// [`TextureError`] if the format cannot be encoded, or cannot store the image.
+    pub fn encode(
+        &self,
+        format: ImageFormat,
+        keeps_alpha: bool,
+        quality: u8,
+    ) -> Result<EncodedImage, TextureError> {
+        let Self { width, height, .. } = *self;
+        encode(&Pixels { width, height, rgba: self.rgba.to_vec() }, format, keeps_alpha, quality)
     }
 }
 

@@ -2,7 +2,13 @@
 
 use serde_json::{Map, Value};
 
+#[cfg(feature = "textures")]
+use super::srgb::{linear_of_bytes, srgb_byte};
 use crate::document::entries;
+
+/// Weight of a pixel that is invisible: it decides the color only if no visible pixel does.
+#[cfg(feature = "textures")]
+const INVISIBLE: f32 = 1e-3;
 
 /// How the numbers of an image map to the quantity they stand for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -46,6 +52,46 @@ impl TextureRole {
             TextureTransfer::Normal => [128, 128, 255, 255],
             _ => [255; 4],
         }
+    }
+
+    /// Returns the numbers of a pixel that are averaged; colors with opacity are multiplied by it.
+    #[cfg(feature = "textures")]
+    pub fn numbers(self, [r, g, b, a]: [u8; 4]) -> [f32; 4] {
+        let alpha = f32::from(a) / 255.0;
+        let color = match self.transfer {
+            TextureTransfer::Srgb => [r, g, b].map(|x| linear_of_bytes()[x as usize]),
+            TextureTransfer::Linear => [r, g, b].map(|x| f32::from(x) / 255.0),
+            TextureTransfer::Normal => [r, g, b].map(|x| f32::from(x) / 127.5 - 1.0),
+        };
+        match self.alpha {
+            AlphaUse::Coverage => {
+                let weight = alpha + INVISIBLE;
+                [color[0] * weight, color[1] * weight, color[2] * weight, alpha]
+            }
+            AlphaUse::Unused => [color[0], color[1], color[2], 1.0],
+            AlphaUse::Data => [color[0], color[1], color[2], alpha],
+        }
+    }
+
+    /// Returns the pixel of such numbers, or of their average.
+    #[cfg(feature = "textures")]
+    pub fn pixel(self, [r, g, b, alpha]: [f32; 4]) -> [u8; 4] {
+        let mut color = [r, g, b];
+        if self.alpha == AlphaUse::Coverage {
+            color = color.map(|x| x / (alpha + INVISIBLE));
+        }
+        let byte = |x: f32| (x * 255.0 + 0.5).clamp(0.0, 255.0) as u8;
+        let [r, g, b] = match self.transfer {
+            TextureTransfer::Srgb => color.map(srgb_byte),
+            TextureTransfer::Linear => color.map(byte),
+            TextureTransfer::Normal => {
+                let length = color.iter().map(|x| x * x).sum::<f32>().sqrt();
+                // Opposite directions may cancel out.
+                let unit = if length > 1e-6 { color.map(|x| x / length) } else { [0.0, 0.0, 1.0] };
+                unit.map(|x| byte((x + 1.0) * 0.5))
+            }
+        };
+        [r, g, b, byte(alpha)]
     }
 
     /// Returns the role of an image that is used in both ways.
