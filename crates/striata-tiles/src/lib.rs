@@ -286,6 +286,9 @@ fn left_out(metadata: &Metadata) -> BTreeSet<String> {
         let name = layer.semantic.strip_prefix("generic_").unwrap_or(&layer.semantic);
         warnings.insert(format!("the property {name} of faces is left out: tiles have none"));
     }
+    if metadata.empty_mesh().layers.iter().any(|layer| layer.semantic.is_of_poses()) {
+        warnings.insert("joints and morph targets of vertices are left out: tiles do not move".to_owned());
+    }
     warnings
 }
 
@@ -359,6 +362,7 @@ impl Tiler<'_> {
         let block = TileBlock { lattice: self.lattice, level: self.levels[number as usize], number, cells };
         let cut = self.file.cut_tiers(self.tiers, |tier, bounds| block.wants(tier, bounds))?;
         let mut mesh = cut.mesh;
+        mesh.layers.retain(|layer| !layer.semantic.is_of_poses());
         if let Some((textures, _)) = self.textures {
             let all = mesh.triangles.len() as u64;
             self.mixed_counts[number as usize][0] += textures.unmix(&mut mesh);

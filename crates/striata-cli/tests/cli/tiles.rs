@@ -106,8 +106,12 @@ fn textures_become_atlases() {
     assert!(coarse["image_bytes"].as_u64() < report["image_bytes"].as_u64(), "{coarse}");
     let plain = bench.json("tiles t.obj -o plain --tile-triangles 1000 --no-textures");
     assert_eq!((&plain["image_bytes"], &plain["left_out"]), (&0.into(), &serde_json::json!([])));
+    // Tiles do not move.
+    std::fs::copy(crate::workbench::asset("arm.glb"), bench.path("arm.glb")).unwrap();
+    let arm = bench.json("tiles arm.glb -o arm");
+    assert!(arm["left_out"].to_string().contains("joints and morph targets"), "{arm}");
     // Nothing temporary is left.
-    let folders = ["coarse", "missing", "paint.png", "plain", "t", "t.mtl", "t.obj"];
+    let folders = ["arm", "arm.glb", "coarse", "missing", "paint.png", "plain", "t", "t.mtl", "t.obj"];
     assert_eq!(bench.names(), folders);
 }
 
