@@ -372,6 +372,26 @@ fn images_that_repeat_stay_whole_and_missing_ones_are_named() {
 }
 
 #[test]
+fn images_that_repeat_do_not_divide_tiles() {
+    let mut mesh = Scan::new(2, 8, "OPAQUE").mesh;
+    let side = 2048;
+    let plain = image("plain", encoded(side, side, [90, 120, 60, 255].repeat(side * side)));
+    let material = json!({ "pbrMetallicRoughness": { "baseColorTexture": { "index": 0 } } });
+    let count = |copies: f32, has_textures: bool, mesh: &mut IndexedMesh| {
+        let uv = mesh.positions.iter().flat_map(|p| [copies * p[0], copies * p[1]]).collect();
+        mesh.layers = vec![AttributeLayer::from_f32(Semantic::TexCoord(0), 2, uv)];
+        mesh.appearance = appearance(&[material.clone(), material.clone()], vec![plain.clone()]);
+        let few = |options: &mut TilesOptions| {
+            (options.tile_triangles, options.has_textures) = (100_000, has_textures);
+        };
+        tiled(mesh, &with(few)).report.tiles
+    };
+    let untextured = count(1.0, false, &mut mesh);
+    assert_eq!(count(12.0, true, &mut mesh), untextured);
+    assert!(count(0.9, true, &mut mesh) > untextured);
+}
+
+#[test]
 fn without_textures_coordinates_stay() {
     let mesh = Scan::new(1, 8, "OPAQUE").mesh;
     let tiles = tiled(&mesh, &with(|options| options.has_textures = false));

@@ -80,26 +80,10 @@ impl PagedPlan {
         threads: usize,
         progress: &mut ProgressFn<'_>,
     ) -> Result<Self, PagedBuildError> {
+        let BuildPaths { output, folder } = paths;
         // Report an output that cannot be written before hours of work, not after them.
-        finish_task::ResultDestination::of(paths.output)?.check()?;
-        let is_new = !paths.folder.exists();
-        fs::create_dir_all(paths.folder).map_err(|source| PagedBuildError::io(paths.folder, source))?;
-        let made = Self::make_in_folder(input, options, paths, threads, progress);
-        if made.is_err() && is_new {
-            // It stays if something else is in it.
-            let _ = fs::remove_dir(paths.folder);
-        }
-        made
-    }
-
-    fn make_in_folder(
-        input: BuildInput,
-        options: BuildOptions,
-        paths: BuildPaths<'_>,
-        threads: usize,
-        progress: &mut ProgressFn<'_>,
-    ) -> Result<Self, PagedBuildError> {
-        let folder = paths.folder;
+        finish_task::ResultDestination::of(output)?.check()?;
+        let _unused = UnusedFolder::create(folder)?;
         let mut inputs = input.states()?;
         let source = input.open(&options.piece_options(folder))?;
         inputs.extend(input::states_of(&source.summary().companions)?);
@@ -174,6 +158,24 @@ impl WorkLock {
             Err(fs::TryLockError::WouldBlock) => Err(PagedBuildError::InUse { path: folder.to_owned() }),
             Err(fs::TryLockError::Error(_)) => Ok(Self { _file: None }),
         }
+    }
+}
+
+/// A new folder, which goes away again when this is dropped, unless something has been written to it.
+struct UnusedFolder<'a>(Option<&'a Path>);
+
+impl<'a> UnusedFolder<'a> {
+    fn create(folder: &'a Path) -> Result<Self, PagedBuildError> {
+        let is_new = !folder.exists();
+        fs::create_dir_all(folder).map_err(|source| PagedBuildError::io(folder, source))?;
+        Ok(Self(is_new.then_some(folder)))
+    }
+}
+
+impl Drop for UnusedFolder<'_> {
+    fn drop(&mut self) {
+        // It stays if it contains files.
+        let _ = self.0.map(fs::remove_dir);
     }
 }
 

@@ -171,7 +171,7 @@ impl Pyramid {
         Ok(())
     }
 
-    /// The coarsest copy whose texels are no larger than the pixels, and which repeats where the image does.
+    /// The coarsest copy with texels no larger than the pixels. It repeats where the image does.
     fn level(&self, sampled: &SampledRect) -> usize {
         let SampledRect { start, step, size, .. } = *sampled;
         let full = self.size();

@@ -25,6 +25,8 @@ use crate::error::TilesError;
 const TILE_TEXELS: f64 = (1 << 20) as f64;
 /// A texel is at most this fraction of the error of a tile.
 pub(crate) const TEXELS_PER_ERROR: f64 = 16.0;
+/// Number of times that a mesh shows an image, beyond which it repeats. Two sides that mirror each other show it twice.
+const MOST_COPIES: f64 = 2.0;
 /// Triangles that are measured together, about.
 const MEASURED_TRIANGLES: u64 = 1 << 20;
 /// Texels of all images together of which it is known whether the mesh shows them: memory has a bit for each.
@@ -153,19 +155,20 @@ impl TileTextures {
         count
     }
 
-    /// Number of texels of all materials together, and the length of a texel.
+    /// Number of texels of all materials that have atlases together, and the length of a texel. Images that repeat do not
+    /// count: tiles have them as a whole, however small they are.
     fn texels(&self) -> (f64, f64) {
         let (mut count, mut areas) = (0.0, [0.0; 2]);
-        for MaterialTextures { size, areas: [surface, texels], .. } in self.textured() {
-            let [width, height] = size.map(f64::from);
-            count += texels.min(width * height);
+        let divided = self.materials.iter().filter(|material| material.regions.is_some());
+        for MaterialTextures { size, areas: [surface, texels], .. } in divided {
+            let all = f64::from(size[0]) * f64::from(size[1]);
+            if *texels > MOST_COPIES * all {
+                continue;
+            }
+            count += texels.min(all);
             areas = [areas[0] + surface, areas[1] + texels];
         }
         (count, if areas[1] > 0.0 { (areas[0] / areas[1]).sqrt() } else { 0.0 })
-    }
-
-    fn textured(&self) -> impl Iterator<Item = &MaterialTextures> {
-        self.materials.iter().filter(|material| !material.textures.is_empty())
     }
 
     /// Number of triangles of the finest tiles, so that each has about a million texels.
