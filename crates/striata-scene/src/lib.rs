@@ -10,17 +10,20 @@
 //! | [`mod@file`] | `.striata` files of scenes |
 //! | [`glb_stream`] | GLB files that open everywhere and contain all levels |
 //! | [`mod@lod_chain`] | glTF files with several levels that engines switch between |
+//! | [`clustered`] | clusters of all levels, for engines that draw meshlets; glTF files that carry them |
 //! | [`ordered`] | vertices in refinement order, with a table of levels and index ranges; glTF files that carry both |
 //! | `view` | levels of a scene for a camera; `place` says how large errors of an instance appear |
 //! | `scene_view` | triangles for renderers, frame after frame |
 //! | [`stream`] | a scene as one progressive stream |
 //! | [`textures`] | previews and re-encoding of images |
 
+pub mod clustered;
 mod copies;
 mod deformation;
 mod document;
 pub mod drawn;
 mod error;
+mod extended_glb;
 pub mod file;
 pub mod glb_stream;
 mod level_walk;
@@ -37,6 +40,7 @@ pub mod stream;
 pub mod textures;
 mod view;
 
+pub use clustered::{ClusteredGlb, ClusteredScene};
 pub use deformation::{Deformation, ScenePoses};
 pub use error::{BuildError, SceneMismatch};
 #[cfg(not(target_family = "wasm"))]

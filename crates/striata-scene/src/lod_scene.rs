@@ -1,13 +1,12 @@
 //! A scene with every level of detail of each of its meshes.
 
-use std::collections::HashMap;
-use std::ops::{ControlFlow, Range};
+use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 use glam::{DMat4, DVec3};
 use striata::mesh::IndexedMesh;
-use striata::simplify::{SequenceOptions, Simplified, SimplifyError, fit_within};
-use striata::{Cancelled, Lod, LodOptions, Progress, ProgressFn, Target, ignore_progress};
+use striata::simplify::{SequenceOptions, Simplified, fit_within};
+use striata::{Lod, LodOptions, ProgressFn, Target, ignore_progress};
 use striata_io::Scene;
 
 use crate::error::{BuildError, SceneMismatch};
@@ -73,28 +72,10 @@ impl LodScene {
         progress: &mut ProgressFn<'_>,
     ) -> Result<Self, BuildError> {
         let simplifier = MeshSimplifier::new(scene);
-        let mut progress = MeshProgress::new(scene.meshes(), progress);
-        let mut lods: Vec<Option<Lod>> = Vec::with_capacity(scene.meshes().len());
-        let mut first_of: HashMap<[u64; 2], usize> = HashMap::new();
-        for (index, mesh) in scene.meshes().iter().enumerate() {
-            let Some(mesh) = mesh else {
-                lods.push(None);
-                continue;
-            };
-            // Equal meshes, such as one ball in many colors, are simplified once.
-            let first = *first_of.entry(mesh.fingerprints()).or_insert(index);
-            if first < index && simplifier.is_simplified_alike([first, index], &options.sequence) {
-                lods.push(lods[first].clone());
-                let finished = progress.finish_mesh(mesh);
-                let name = || scene.mesh_name(index).to_owned();
-                finished.map_err(|error| BuildError::new(index, name(), error))?;
-                continue;
-            }
-            let built = simplifier.lod(index, mesh, options, &mut |now| progress.report(now));
-            let built = built.and_then(|lod| progress.finish_mesh(mesh).map(|()| lod));
-            let name = || scene.mesh_name(index).to_owned();
-            lods.push(Some(built.map_err(|error| BuildError::new(index, name(), error))?));
-        }
+        let build = |index: usize, mesh: &IndexedMesh, progress: &mut ProgressFn<'_>| {
+            simplifier.lod(index, mesh, options, progress)
+        };
+        let lods = simplifier.for_each_mesh(&options.sequence, build, progress)?;
         Ok(Self::of_parts(scene.without_meshes(), lods))
     }
 
@@ -301,38 +282,4 @@ pub(crate) fn check_groups(scene: &Scene, mesh: usize, group_count: usize) -> Re
     let found = group_count.max(1);
     let expected = scene.primitive_materials(mesh).len();
     if found == expected { Ok(()) } else { Err(SceneMismatch::GroupCount { mesh, found, expected }) }
-}
-
-/// Progress over all meshes, in triangles.
-struct MeshProgress<'p, 'f> {
-    progress: &'p mut ProgressFn<'f>,
-    finished: usize,
-    triangle_count: usize,
-    /// Triangles of the mesh that is being built.
-    current: Vec<usize>,
-}
-
-impl<'p, 'f> MeshProgress<'p, 'f> {
-    fn new(meshes: &[Option<IndexedMesh>], progress: &'p mut ProgressFn<'f>) -> Self {
-        let mut current: Vec<usize> = meshes.iter().flatten().map(IndexedMesh::triangle_count).collect();
-        current.reverse();
-        Self { progress, finished: 0, triangle_count: current.iter().sum(), current }
-    }
-
-    fn report(&mut self, now: Progress) -> ControlFlow<()> {
-        let current = self.current.last().copied().unwrap_or(0) as u64;
-        let share = if now.total == 0 { 0.0 } else { now.done as f64 / now.total as f64 };
-        let done = self.finished as u64 + (share.min(1.0) * current as f64) as u64;
-        (self.progress)(Progress { phase: now.phase, done, total: self.triangle_count as u64 })
-    }
-
-    /// Reports after each mesh, because small meshes report nothing themselves.
-    fn finish_mesh(&mut self, mesh: &IndexedMesh) -> Result<(), SimplifyError> {
-        self.finished += mesh.triangle_count();
-        self.current.pop();
-        match self.report(Progress { phase: "simplify", done: 0, total: 1 }) {
-            ControlFlow::Continue(()) => Ok(()),
-            ControlFlow::Break(()) => Err(Cancelled.into()),
-        }
-    }
 }

@@ -1,19 +1,21 @@
 //! Simplification of the meshes of a scene: the one path of levels, files and streams.
 
 use std::cell::OnceCell;
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 use std::ops::ControlFlow;
 
 use serde_json::Value;
+use striata::clusters::{ClusterDag, ClusterOptions};
 use striata::mesh::{IndexedMesh, RefinableMesh};
 use striata::simplify::{
     BaseColor, BatchOptions, BuiltBatches, SequenceOptions, SimplifyError, build_batches_with_progress,
     build_sequence_with_progress, certify_collapses_in_any_state_with_progress,
 };
-use striata::{Lod, LodOptions, Progress, ProgressFn};
+use striata::{Cancelled, Lod, LodOptions, Progress, ProgressFn};
 use striata_io::Scene;
 
 use crate::deformation::{Deformation, ScenePoses, with_errors};
+use crate::error::BuildError;
 use crate::levels::MeshWeight;
 
 /// Simplifies meshes with options in units of the scene, for the poses of the scene.
@@ -45,6 +47,60 @@ impl<'s> MeshSimplifier<'s> {
             mesh.is_some_and(|mesh| self.deformation(index, mesh, options).is_none())
         };
         first.is_some() && first == second && meshes.into_iter().all(is_still)
+    }
+
+    /// Calls a function for each mesh of the scene; equal meshes, such as one ball in many colors, share a result.
+    ///
+    /// # Errors
+    /// [`BuildError`] with the first mesh for which the function fails.
+    pub(crate) fn for_each_mesh<T: Clone>(
+        &self,
+        options: &SequenceOptions,
+        mut build: impl FnMut(usize, &IndexedMesh, &mut ProgressFn<'_>) -> Result<T, SimplifyError>,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Vec<Option<T>>, BuildError> {
+        let meshes = self.scene.meshes();
+        let mut progress = MeshProgress::new(meshes, progress);
+        let mut built: Vec<Option<T>> = Vec::with_capacity(meshes.len());
+        let mut first_of: HashMap<[u64; 2], usize> = HashMap::new();
+        for (index, mesh) in meshes.iter().enumerate() {
+            let Some(mesh) = mesh else {
+                built.push(None);
+                continue;
+            };
+            let first = *first_of.entry(mesh.fingerprints()).or_insert(index);
+            let result = if first < index && self.is_simplified_alike([first, index], options) {
+                Ok(built[first].clone())
+            } else {
+                build(index, mesh, &mut |now| progress.report(now)).map(Some)
+            };
+            let result = result.and_then(|made| progress.finish_mesh(mesh).map(|()| made));
+            let name = || self.scene.mesh_name(index).to_owned();
+            built.push(result.map_err(|error| BuildError::new(index, name(), error))?);
+        }
+        Ok(built)
+    }
+
+    /// Builds the clusters of a mesh of the scene, which has this index.
+    ///
+    /// # Errors
+    /// [`SimplifyError`] if the mesh is inconsistent, an option is out of range, or the callback cancels.
+    pub(crate) fn clusters(
+        &self,
+        index: usize,
+        mesh: &IndexedMesh,
+        options: &ClusterOptions,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<ClusterDag, SimplifyError> {
+        let sequence = self.options(index, &options.sequence)?;
+        let deformation = self.deformation(index, mesh, &sequence);
+        let options = options.clone().with_sequence(sequence);
+        match deformation {
+            None => ClusterDag::build_with_progress(mesh, &options, progress),
+            Some(deformation) => {
+                ClusterDag::build_with_progress(&with_layers(mesh, &deformation), &options, progress)
+            }
+        }
     }
 
     /// Builds the levels of a mesh of the scene, which has this index.
@@ -207,4 +263,38 @@ fn with_errors_of_batches(refinable: RefinableMesh, batches: &[u32]) -> Refinabl
         }
     }
     with_errors(refinable, errors)
+}
+
+/// Progress over all meshes, in triangles.
+struct MeshProgress<'p, 'f> {
+    progress: &'p mut ProgressFn<'f>,
+    finished: usize,
+    triangle_count: usize,
+    /// Triangles of the mesh that is being built.
+    current: Vec<usize>,
+}
+
+impl<'p, 'f> MeshProgress<'p, 'f> {
+    fn new(meshes: &[Option<IndexedMesh>], progress: &'p mut ProgressFn<'f>) -> Self {
+        let mut current: Vec<usize> = meshes.iter().flatten().map(IndexedMesh::triangle_count).collect();
+        current.reverse();
+        Self { progress, finished: 0, triangle_count: current.iter().sum(), current }
+    }
+
+    fn report(&mut self, now: Progress) -> ControlFlow<()> {
+        let current = self.current.last().copied().unwrap_or(0) as u64;
+        let share = if now.total == 0 { 0.0 } else { now.done as f64 / now.total as f64 };
+        let done = self.finished as u64 + (share.min(1.0) * current as f64) as u64;
+        (self.progress)(Progress { phase: now.phase, done, total: self.triangle_count as u64 })
+    }
+
+    /// Reports after each mesh, because small meshes report nothing themselves.
+    fn finish_mesh(&mut self, mesh: &IndexedMesh) -> Result<(), SimplifyError> {
+        self.finished += mesh.triangle_count();
+        self.current.pop();
+        match self.report(Progress { phase: "simplify", done: 0, total: 1 }) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(()) => Err(Cancelled.into()),
+        }
+    }
 }

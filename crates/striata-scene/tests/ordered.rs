@@ -1,12 +1,15 @@
-//! GLB files with the extension `STRIATA_order`: their levels by the rule, compared with the oracle.
+//! GLB files with the extensions `STRIATA_order` and `STRIATA_clusters`: their levels by the rule, compared with the
+//! oracle.
 
 use serde_json::Value;
+use striata::clusters::{ClusterDag, ClusterOptions};
 use striata::mesh::{IndexedMesh, RefinableMesh, canonical_triangles, replay, shapes};
 use striata::strip::{cache_order, fifo_cache_cost};
 use striata::{Lod, LodOptions};
 use striata_io::{Format, Scene, Source, WriteOptions, read_scene_bytes, scene_to_bytes};
-use striata_scene::LodScene;
+use striata_scene::clustered::CLUSTER_EXTENSION;
 use striata_scene::ordered::ORDER_EXTENSION;
+use striata_scene::{ClusteredScene, LodScene};
 use striata_testing::gltf_check::CheckedGlb;
 use striata_testing::meshes;
 use striata_testing::scenes;
@@ -37,8 +40,13 @@ impl Reader {
 
     /// Primitives of a mesh that have levels.
     fn primitives(&self, mesh: usize) -> impl Iterator<Item = &Value> {
+        self.extended(mesh, ORDER_EXTENSION)
+    }
+
+    /// Primitives of a mesh that have an extension.
+    fn extended<'a>(&'a self, mesh: usize, extension: &'a str) -> impl Iterator<Item = &'a Value> {
         let primitives = self.document["meshes"][mesh]["primitives"].as_array().unwrap();
-        primitives.iter().filter(|primitive| primitive["extensions"].get(ORDER_EXTENSION).is_some())
+        primitives.iter().filter(move |primitive| primitive["extensions"].get(extension).is_some())
     }
 }
 
@@ -135,14 +143,14 @@ fn check(name: &str, lods: &LodScene, range_count: usize) -> usize {
         names.into_iter().any(|name| name == ORDER_EXTENSION)
     };
     assert_eq!((uses("extensionsUsed"), uses("extensionsRequired")), (count > 0, false), "{name}");
-    check_plain_file(name, lods, &glb.bytes);
+    check_plain_file(name, &lods.full_scene(), &glb.bytes);
     count
 }
 
 /// Checks that readers without the extension find what a plain file has.
-fn check_plain_file(name: &str, lods: &LodScene, glb: &[u8]) {
+fn check_plain_file(name: &str, scene: &Scene, glb: &[u8]) {
     let read = |bytes: &[u8]| read_scene_bytes(bytes, &Source::new("test.glb")).unwrap();
-    let plain = scene_to_bytes(Format::Glb, &lods.full_scene(), &WriteOptions::default()).unwrap();
+    let plain = scene_to_bytes(Format::Glb, scene, &WriteOptions::default()).unwrap();
     let (found, expected) = (read(glb), read(&plain));
     // If an unknown extension refers to numbers, freed ones stay.
     let document = |scene: &Scene| {
@@ -164,7 +172,7 @@ fn check_plain_file(name: &str, lods: &LodScene, glb: &[u8]) {
                     let size = layer.vertex_bytes();
                     layer.data.as_bytes()[v as usize * size..][..size].to_vec()
                 });
-                (mesh.positions[v as usize].map(f32::to_bits), layers.collect::<Vec<_>>())
+                (mesh.positions[v as usize].map(|x| (x + 0.0).to_bits()), layers.collect::<Vec<_>>())
             };
             let groups = mesh.groups_or_whole().into_iter().map(|group| {
                 let mut list: Vec<_> = mesh.triangles[group.range()]
@@ -248,4 +256,90 @@ fn blended_triangles_keep_their_order() {
         let found = triangles(&ordered.primitives[0].indices[range.first_index..][..range.index_count]);
         assert_eq!(found, level(full, &ordered.targets, range.vertex_count));
     }
+}
+
+/// Triangles of a cut of a file, for each of the primitives of a mesh, by the rule of the extension.
+fn cluster_cut(reader: &Reader, mesh: usize, error: f32) -> Vec<Vec<[u32; 3]>> {
+    let groups =
+        reader.document["meshes"][mesh]["extensions"][CLUSTER_EXTENSION]["groups"].as_array().unwrap();
+    let is_coarse = |group: u32| groups[group as usize][5].as_f64().unwrap() as f32 <= error;
+    let cut = |primitive: &Value| {
+        let clusters = &primitive["extensions"][CLUSTER_EXTENSION];
+        let all = triangles(&reader.integers(&clusters["indices"]));
+        let (mut drawn, mut first) = (Vec::new(), 0);
+        for row in reader.integers(&clusters["clusters"]).chunks(3) {
+            let own = first..first + row[0] as usize;
+            first = own.end;
+            if !is_coarse(row[1]) && (row[2] == 0 || is_coarse(row[2] - 1)) {
+                drawn.extend_from_slice(&all[own]);
+            }
+        }
+        assert_eq!(first, all.len());
+        drawn
+    };
+    reader.extended(mesh, CLUSTER_EXTENSION).map(cut).collect()
+}
+
+/// Compares cuts of a file with those of the library; returns their number.
+fn check_clusters(name: &str, scene: &Scene) -> usize {
+    let options = ClusterOptions::default().with_max_triangles(16).with_group_size(4);
+    let clustered = ClusteredScene::build(scene.clone(), &options).unwrap();
+    let glb = clustered.to_glb().unwrap();
+    let checked = CheckedGlb::new(&glb.bytes, |_, _| panic!("nothing is compressed"));
+    assert_eq!(checked.faults(), &[] as &[String], "{name}");
+    assert!(glb.plain_bytes <= glb.bytes.len(), "{name}");
+    let reader = Reader::new(&glb.bytes);
+    let mut count = 0;
+    for (mesh, dag) in clustered.dags().iter().enumerate() {
+        let Some(dag) = dag.as_ref().filter(|dag| !dag.groups.is_empty()) else { continue };
+        // Shown: the full mesh.
+        let full = cluster_cut(&reader, mesh, -1.0);
+        let primitives = reader.extended(mesh, CLUSTER_EXTENSION);
+        let shown: Vec<_> = primitives.map(|p| triangles(&reader.integers(&p["indices"]))).collect();
+        assert_eq!(full, shown, "{name}");
+        let errors = dag.groups.iter().map(|group| group.error).filter(|error| error.is_finite());
+        for error in errors.step_by(3) {
+            let found = cluster_cut(&reader, mesh, error).concat();
+            let expected = dag.triangles_of(&dag.cut_for_error(error));
+            assert_eq!(canonical_triangles(&found), canonical_triangles(&expected), "{name}: {error}");
+            count += 1;
+        }
+        check_groups(&reader.document["meshes"][mesh]["extensions"][CLUSTER_EXTENSION], dag);
+    }
+    let lods = LodScene::build(scene, &LodOptions::default()).unwrap();
+    check_plain_file(name, &lods.full_scene(), &glb.bytes);
+    count
+}
+
+/// Compares the table of groups with the library, and both with the schema.
+fn check_groups(extension: &Value, dag: &ClusterDag) {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/STRIATA_clusters.schema.json");
+    let schema: Value = serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap();
+    let columns =
+        schema["$defs"]["mesh"]["properties"]["groups"]["items"]["prefixItems"].as_array().unwrap().len();
+    let rows = extension["groups"].as_array().unwrap();
+    assert_eq!(rows.len(), dag.groups.len());
+    for (row, group) in rows.iter().zip(&dag.groups) {
+        let row: Vec<f32> = row.as_array().unwrap().iter().map(|x| x.as_f64().unwrap() as f32).collect();
+        let [x, y, z] = group.sphere.center;
+        let expected =
+            [group.depth as f32, x, y, z, group.sphere.radius.min(f32::MAX), group.error.min(f32::MAX)];
+        assert_eq!((row.len(), row), (columns, expected.to_vec()));
+    }
+}
+
+#[test]
+fn cuts_of_clusters_by_the_rule_are_those_of_the_library() {
+    let mut count = 0;
+    for sample in scenes::all() {
+        let scene = read_scene_bytes(&sample.to_glb(), &Source::new("test.glb")).unwrap();
+        count += check_clusters(sample.name, &scene);
+    }
+    for (name, mesh) in meshes::all().into_iter().filter(|(name, _)| *name != "attributes not a number") {
+        let Ok(scene) = Scene::from_mesh(mesh) else { continue };
+        if ClusteredScene::build(scene.clone(), &ClusterOptions::default()).is_ok() {
+            count += check_clusters(&name, &scene);
+        }
+    }
+    assert!(count > 100, "{count} cuts");
 }

@@ -50,6 +50,7 @@
 //! * [`simplify`]: builds the collapse sequence of a mesh
 //! * [`strip`]: triangle strips
 //! * [`model`]: multiresolution models, which turn a sequence into levels
+//! * [`clusters`]: a hierarchy of clusters of triangles, for engines that draw meshlets
 //! * [`view`]: cameras and other criteria for view-dependent refinement
 //! * [`mod@file`]: the `.striata` file format
 //!
@@ -64,11 +65,13 @@
 //!
 //! * `parallel` (default): spreads work over threads with rayon. Results are the same without it.
 
+pub mod clusters;
 pub mod file;
 pub mod levels;
 pub mod lod;
 pub mod mesh;
 pub mod model;
+mod parallel;
 mod progress;
 mod setters;
 pub mod simplify;

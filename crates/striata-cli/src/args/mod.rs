@@ -189,6 +189,18 @@ pub(crate) struct BuildArgs {
     /// For .glb: also store the first N levels as index ranges, each with half of the triangles of the one before
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub ranges: Option<u32>,
+    /// For .glb: store clusters of at most N triangles for engines that draw meshlets (STRIATA_clusters), instead of
+    /// vertices in refinement order [default N: 128]
+    #[arg(
+        long,
+        value_name = "N",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "128",
+        conflicts_with = "ranges",
+        value_parser = clap::value_parser!(u32).range(2..=512)
+    )]
+    pub clusters: Option<u32>,
     /// Models to store: lodstrips (strips; small, fast), mts (strips rebuilt at each level), fans (for views;
     /// else `extract --eye` builds them), patterns (for views and boxes, with any --order), progressive
     /// (stream)

@@ -1,4 +1,4 @@
-//! `build` with a GLB output: plain glTF files in refinement order.
+//! `build` with a GLB output: plain glTF files in refinement order, or with clusters.
 
 use serde_json::{Value, json};
 
@@ -85,9 +85,40 @@ fn flags_of_the_other_format_are_refused_by_name() {
         ("-o x.gltf", "`build` writes .striata and .glb files"),
         ("-o x.striata --ranges 4", "--ranges is for .glb outputs"),
         ("--ranges 4", "--ranges is for .glb outputs"),
+        ("-o x.striata --clusters", "--clusters is for .glb outputs"),
+        ("-o x.glb --clusters --base 9", "--base is not for --clusters"),
+        ("-o x.glb --clusters --max-error 1%", "--max-error is not for --clusters"),
+        ("-o x.glb --clusters --certify", "--certify is not for --clusters"),
     ] {
         let message = bench.refused(&format!("build arm.glb {flags}"));
         assert!(message.contains(name) && message.contains("hint:"), "{flags}: {message}");
     }
     assert_eq!(bench.names(), ["arm.glb"]);
+}
+
+#[test]
+fn clusters_are_stored_in_a_plain_file() {
+    let bench = arm();
+    let report = bench.json("build arm.glb -o clusters.glb --clusters=32");
+    let number = |key: &str| report[key].as_u64().expect("a number") as usize;
+    assert_eq!(number("plain_bytes") + number("cluster_bytes"), number("output_bytes"));
+    let (full, all) = (number("triangle_count"), number("cluster_triangle_count"));
+    assert!(number("base_triangle_count") * 4 < full && full < all && all < 3 * full, "{report}");
+    assert!(number("cluster_count") * 32 >= all && number("group_count") < number("cluster_count"));
+    assert!(report["error_max"].as_f64().expect("a number") > 0.0);
+    let facts = |name: &str| bench.json(&format!("info {name}"));
+    let (plain, clustered) = (facts("arm.glb"), facts("clusters.glb"));
+    for key in ["triangle_count", "vertex_count", "diagonal"] {
+        assert_eq!(clustered[key], plain[key], "{key}");
+    }
+    let converted = bench.json("convert clusters.glb again.glb");
+    assert!(converted["warnings"].to_string().contains("STRIATA_clusters"), "{converted}");
+    assert!(!String::from_utf8_lossy(&bench.read("again.glb")).contains("STRIATA_clusters"));
+    // A single mesh, with the default size.
+    bench.write("ball.obj", sphere(20, 30));
+    let ball = bench.json("build ball.obj -o ball.glb --clusters");
+    assert_eq!(ball["triangle_count"], facts("ball.obj")["triangle_count"]);
+    let summary = bench.run("build ball.obj -o ball.glb --clusters").success();
+    let summary = String::from_utf8_lossy(&summary.get_output().stderr).into_owned();
+    assert!(summary.contains("clusters") && summary.contains("groups"), "{summary}");
 }

@@ -42,7 +42,7 @@ use Contents::{Accessors, Views};
 use ExtensionUse::{Carried, Drawn, Removed, Rewritten};
 
 /// Extensions that refer to no accessors and buffer views, or only from places that `references` visits.
-const KNOWN: [(&str, ExtensionUse, Contents); 50] = [
+const KNOWN: [(&str, ExtensionUse, Contents); 51] = [
     ("AGI_articulations", Carried, Accessors),
     ("AGI_stk_metadata", Carried, Accessors),
     ("CESIUM_primitive_outline", Removed, Views),
@@ -91,6 +91,7 @@ const KNOWN: [(&str, ExtensionUse, Contents); 50] = [
     ("MSFT_packing_normalRoughnessMetallic", Carried, Accessors),
     ("MSFT_packing_occlusionRoughnessMetallic", Carried, Accessors),
     ("MSFT_texture_dds", Carried, Accessors),
+    ("STRIATA_clusters", Removed, Accessors),
     ("STRIATA_lod", Rewritten, Accessors),
     ("STRIATA_order", Removed, Accessors),
 ];

@@ -24,7 +24,7 @@ pub(super) enum Use {
     BindMatrices,
     /// Times or values of an animation.
     Animation,
-    /// Collapse targets of vertices.
+    /// Collapse targets of vertices, or tables of clusters.
     Targets,
 }
 
@@ -107,6 +107,8 @@ pub(super) fn of_primitive<E>(primitive: &mut Value, visit: &mut Visit<'_, E>) -
     for (extension, key, referent) in [
         ("KHR_draco_mesh_compression", "bufferView", Referent::View),
         ("CESIUM_primitive_outline", "indices", Referent::Accessor(Use::Indices)),
+        ("STRIATA_clusters", "clusters", Referent::Accessor(Use::Targets)),
+        ("STRIATA_clusters", "indices", Referent::Accessor(Use::Indices)),
         ("STRIATA_order", "indices", Referent::Accessor(Use::Indices)),
         ("STRIATA_order", "targets", Referent::Accessor(Use::Targets)),
     ] {

@@ -6,6 +6,7 @@
 
 mod assets;
 mod bars;
+mod clusters;
 mod contenders;
 mod labels;
 mod model_charts;
@@ -35,6 +36,7 @@ use striata_io::write_atomically;
 use striata_strip::strip_count_bound;
 
 use self::assets::AssetsReport;
+use self::clusters::ClustersReport;
 pub(crate) use self::contenders::compared_models;
 use self::models::{ModelsReport, Sequenced};
 use self::page::MeshPart;
@@ -78,6 +80,8 @@ struct MeshComparison {
     rate: Option<RateReport>,
     #[serde(skip_serializing_if = "Option::is_none")]
     assets: Option<AssetsReport>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    clusters: Option<ClustersReport>,
     /// Empty if no paper measured this mesh.
     papers: Vec<PaperRow>,
 }
@@ -158,6 +162,7 @@ fn measure_mesh(
         .has(ComparisonPart::Assets)
         .then(|| assets::measure(&mesh, &args.assets, bar, say))
         .transpose()?;
+    let clusters = args.has(ComparisonPart::Clusters).then(|| clusters::measure(&mesh, say)).transpose()?;
     Ok(MeshComparison {
         name,
         vertex_count: mesh.vertex_count(),
@@ -170,6 +175,7 @@ fn measure_mesh(
         patterns,
         rate,
         assets,
+        clusters,
     })
 }
 
@@ -255,6 +261,10 @@ impl MeshComparison {
             text.push_str(&assets::to_text(assets, text_of));
             text.push('\n');
         }
+        if let Some(clusters) = &self.clusters {
+            text.push_str(&clusters::to_text(clusters, text_of));
+            text.push('\n');
+        }
         if let Some(strips) = &self.strips {
             text.push_str("Strips by the longest tunnel: mean and standard deviation, range, CPU seconds\n");
             text.push_str(&text_of(tunnels::table(&strips.tunnel_lengths)));
@@ -284,6 +294,7 @@ impl MeshComparison {
         if let Some(assets) = &self.assets {
             sections.push(assets::section(assets)?);
         }
+        sections.extend(self.clusters.as_ref().map(clusters::section));
         if let Some(strips) = &self.strips {
             sections.push(tunnels::section(&strips.tunnel_lengths)?);
             sections.push(stripifiers::section(&strips.stripifiers)?);

@@ -161,6 +161,6 @@ impl OrderedPrimitive {
 }
 
 /// Returns the number with the fewest digits that is read as this one in single precision.
-fn shortest(number: f32) -> f64 {
+pub(crate) fn shortest(number: f32) -> f64 {
     number.to_string().parse().unwrap_or_else(|_| f64::from(number))
 }

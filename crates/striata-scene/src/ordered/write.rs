@@ -1,10 +1,12 @@
 //! Writing: a plain glTF file at full detail with the extension `STRIATA_order`.
 
-use serde_json::Value;
-use striata_io::{Format, Scene, SceneParts, SceneWriter, WriteError, WriteOptions};
+use std::borrow::Cow;
 
-use super::OrderedMesh;
-use crate::document::{array, extension_slot, has_triangles, use_extension};
+use serde_json::Value;
+use striata_io::WriteError;
+
+use super::{OrderedMesh, OrderedPrimitive};
+use crate::extended_glb::{ExtendedGlb, ExtendedPrimitive};
 use crate::lod_scene::LodScene;
 
 /// Name of the extension.
@@ -50,31 +52,39 @@ impl LodScene {
     }
 
     fn glb_of(&self, meshes: &[Option<OrderedMesh>], contents: OrderContents) -> Result<Vec<u8>, WriteError> {
-        let mut parts = self.scene().clone().into_parts();
-        parts.meshes = vec![None; meshes.len()];
-        let mut additions = OrderAdditions::default();
+        let mut file = ExtendedGlb::new(self.scene(), ORDER_EXTENSION);
         for (index, mesh) in meshes.iter().enumerate() {
-            if let Some(mesh) = mesh {
-                additions.put_mesh(&mut parts, index, mesh, contents);
+            if let Some(ordered) = mesh {
+                let groups = ordered.mesh.groups_or_whole();
+                let primitives = ordered.primitives.iter().zip(&groups).map(|(levels, group)| {
+                    extended(levels, &ordered.mesh.triangles[group.range()], &ordered.targets, contents)
+                });
+                file.put_mesh(index, &ordered.mesh, primitives.collect());
             }
         }
-        if !additions.numbers.is_empty() {
-            use_extension(&mut parts.document, ORDER_EXTENSION);
-        }
-        let refused = |error: striata_io::SceneError| WriteError::BadMesh {
-            file: "scene.glb".to_owned(),
-            reason: error.to_string(),
-        };
-        let scene = Scene::from_parts(parts).map_err(refused)?;
-        let mut writer = SceneWriter::new(&scene).keeping_vertices();
-        for (pointer, targets) in additions.numbers {
-            writer = writer.with_numbers(format!("{pointer}/extensions/{ORDER_EXTENSION}/targets"), targets);
-        }
-        for (pointer, count) in additions.prefixes {
-            let all = format!("{pointer}/extensions/{ORDER_EXTENSION}/indices");
-            writer = writer.with_index_prefix(pointer, count, all);
-        }
-        writer.to_bytes(Format::Glb, &WriteOptions::default().with_cache_order(false))
+        file.to_bytes()
+    }
+}
+
+/// A primitive with the parts of the extension that are written.
+fn extended<'m>(
+    levels: &'m OrderedPrimitive,
+    full: &'m [[u32; 3]],
+    targets: &'m [u32],
+    contents: OrderContents,
+) -> ExtendedPrimitive<'m> {
+    let has_ranges = contents == OrderContents::Ranges && !levels.ranges.is_empty();
+    let mut extension = levels.to_json();
+    if has_ranges {
+        extension["indices"] = Value::Null;
+    } else if let Some(members) = extension.as_object_mut() {
+        members.remove("ranges");
+    }
+    ExtendedPrimitive {
+        triangles: Cow::Borrowed(if has_ranges { levels.indices.as_chunks().0 } else { full }),
+        shown: full.len(),
+        extension: (contents != OrderContents::Plain).then_some(extension),
+        numbers: vec![("targets", Cow::Borrowed(targets))],
     }
 }
 
@@ -84,69 +94,4 @@ enum OrderContents {
     Plain,
     Order,
     Ranges,
-}
-
-/// Data of the extension, by pointers to the primitives.
-#[derive(Default)]
-struct OrderAdditions<'m> {
-    numbers: Vec<(String, &'m [u32])>,
-    /// Numbers of indices that primitives show, of those that they have.
-    prefixes: Vec<(String, usize)>,
-}
-
-impl<'m> OrderAdditions<'m> {
-    /// Puts a mesh into the parts of a scene, with its triangles or all of its index ranges, and describes it.
-    fn put_mesh(
-        &mut self,
-        parts: &mut SceneParts,
-        index: usize,
-        ordered: &'m OrderedMesh,
-        contents: OrderContents,
-    ) {
-        let mut mesh = ordered.mesh.clone();
-        let mut groups = mesh.groups_or_whole();
-        (mesh.triangles, mesh.triangle_layers) = (Vec::new(), Vec::new());
-        let mut ordered_groups = ordered.primitives.iter().zip(&mut groups);
-        let Some(primitives) = array(&mut parts.document["meshes"][index], "primitives") else { return };
-        let is_shown = !ordered.mesh.triangles.is_empty();
-        let mut place = 0;
-        primitives.retain_mut(|primitive| {
-            let found = if has_triangles(primitive) { ordered_groups.next() } else { None };
-            let Some((levels, group)) = found.filter(|_| is_shown) else {
-                place += 1;
-                return true;
-            };
-            let full = &ordered.mesh.triangles[group.range()];
-            let has_place = primitive.get("extensions").is_none_or(Value::is_object);
-            let has_ranges = contents == OrderContents::Ranges && has_place && !levels.ranges.is_empty();
-            let shown = if has_ranges { levels.indices.as_chunks().0 } else { full };
-            (group.first, group.count) = (mesh.triangles.len() as u32, shown.len() as u32);
-            mesh.triangles.extend_from_slice(shown);
-            if full.is_empty() {
-                // glTF has no empty primitives.
-                return false;
-            }
-            let pointer = format!("/meshes/{index}/primitives/{place}");
-            place += 1;
-            if contents == OrderContents::Plain {
-                return true;
-            }
-            let Some(slot) = extension_slot(primitive, ORDER_EXTENSION) else { return true };
-            *slot = levels.to_json();
-            slot["targets"] = Value::Null;
-            if has_ranges {
-                slot["indices"] = Value::Null;
-                self.prefixes.push((pointer.clone(), 3 * full.len()));
-            } else if let Some(slot) = slot.as_object_mut() {
-                slot.remove("ranges");
-            }
-            self.numbers.push((pointer, &ordered.targets));
-            true
-        });
-        if is_shown {
-            groups.retain(|group| group.count > 0);
-        }
-        mesh.groups = groups;
-        parts.meshes[index] = Some(mesh);
-    }
 }

@@ -22,6 +22,7 @@ mod collapse;
 mod fit;
 mod level;
 mod options;
+mod patch;
 mod place;
 mod remove;
 mod scaled_space;
@@ -36,12 +37,14 @@ pub use collapse::batches::{
     BatchOptions, BuiltBatches, build_batches, build_batches_with_progress, build_welded_batches,
     build_welded_batches_with_progress,
 };
+pub(crate) use collapse::cost_evaluator::{is_scan, locked_positions};
 pub use collapse::costs::CostFunction;
 pub use fit::{fit_level, fit_level_with_progress, fit_within};
 pub use options::{
     AttributeWeights, BoundaryRule, BuiltSequence, Placement, SeamRule, SequenceOptions, Simplified,
     SimplifyError, SimplifyOptions, StopReason, Target, TopologyRule,
 };
+pub(crate) use patch::{Patch, SimplifiedPatch, Witness};
 pub use place::{
     BuiltPlaced, PlacedCollapse, PlacedOptions, build_placed_fragments, build_placed_fragments_with_progress,
     build_welded_placed_fragments_with_progress,

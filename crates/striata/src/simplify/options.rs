@@ -191,7 +191,7 @@ impl SequenceOptions {
         Ok(())
     }
     /// Checks that all locked vertices are vertices of the mesh.
-    pub(super) fn check_locked(&self, vertex_count: usize) -> Result<(), SimplifyError> {
+    pub(crate) fn check_locked(&self, vertex_count: usize) -> Result<(), SimplifyError> {
         check_locked(&self.locked_vertices, vertex_count)
     }
 

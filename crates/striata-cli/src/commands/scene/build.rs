@@ -21,6 +21,7 @@ use striata_command::sequence::{Limits, StepKind, limit_in_units};
 use striata_io::Format;
 use striata_scene::LodScene;
 
+use super::clusters::{self, ClusterReport};
 use super::ordered::{OrderReport, model_flags, ordered_input};
 use crate::args::BuildArgs;
 
@@ -73,6 +74,14 @@ pub(in crate::commands) fn build(
     let scene = edited(scene, &args.edits, false, output)?;
     let scene = with_textures(scene, args.textures.options().as_ref(), output)?;
     phases.enter("simplify");
+    if let Some(max_triangles) = args.clusters {
+        let progress = &mut |progress| bar.show(progress);
+        let clustered = clusters::clustered(input, scene, &args.sequence, max_triangles as usize, progress)?;
+        phases.enter("write");
+        let report = ClusterReport::write(&clustered, path, phases)?;
+        drop(bar);
+        return output.summary(&report, &report.to_text());
+    }
     let base = args.limits.base.map(|count| count.of_triangles(scene.triangle_count()));
     let limits = Limits {
         base_triangle_count: base.unwrap_or(0),

@@ -3,6 +3,7 @@
 //! Each verb decides by its input whether it works on a scene or on one mesh, and comes here for scenes.
 
 mod build;
+mod clusters;
 mod encode;
 mod facts;
 mod ordered;

@@ -36,10 +36,11 @@ pub(in crate::commands) fn check_order_flags(
 ) -> Result<(), Failure> {
     let name = path.display();
     if format != Format::Glb {
-        return match args.ranges {
+        let flags = [("--ranges", args.ranges), ("--clusters", args.clusters)];
+        return match flags.into_iter().find(|(_, value)| value.is_some()) {
             None => Ok(()),
-            Some(_) => Err(Failure::usage(format!("{name}: --ranges is for .glb outputs"))
-                .with_hint("use the extension .glb, or remove --ranges")),
+            Some((flag, _)) => Err(Failure::usage(format!("{name}: {flag} is for .glb outputs"))
+                .with_hint(format!("use the extension .glb, or remove {flag}"))),
         };
     }
     if is_paged {
@@ -54,6 +55,18 @@ pub(in crate::commands) fn check_order_flags(
         ("--overlap-errors", args.overlap_errors),
         (removal.unwrap_or_default(), removal.is_some()),
     ];
+    let limits = [
+        ("--base", args.limits.base.is_some()),
+        ("--max-error", args.limits.max_error.is_some()),
+        ("--certify", sequence.certify),
+        ("--pair-distance", sequence.pair_distance.is_some()),
+    ];
+    let limit = limits.into_iter().find(|&(_, is_given)| is_given && args.clusters.is_some());
+    if let Some((flag, _)) = limit {
+        return Err(Failure::usage(format!("{name}: {flag} is not for --clusters")).with_hint(format!(
+            "remove {flag}: clusters go down to the coarsest level, with estimated errors"
+        )));
+    }
     match model_flags(args).into_iter().chain(flags).find(|&(_, is_given)| is_given) {
         None => Ok(()),
         Some((flag, _)) => Err(Failure::usage(format!("{name}: {flag} is for .striata files"))

@@ -128,7 +128,7 @@ impl<'a> CostEvaluator<'a> {
             is_locked: locked_positions(welded, &options.locked_vertices, options.group_borders),
             height_field: HeightField::of(welded, options.height_field),
             is_cell: false,
-            is_scan: !has_wedges && has_large_parts(welded, MIN_SCAN_PART_TRIANGLES),
+            is_scan: is_scan(welded),
             seams: options.seams,
             locks_boundary: options.boundary == BoundaryRule::Locked,
             partners: Vec::new(),
@@ -464,6 +464,11 @@ impl<'a> CostEvaluator<'a> {
     }
 }
 
+/// Whether a mesh is a large surface without seams, or several: see [`CostEvaluator::is_scan`].
+pub(crate) fn is_scan(welded: &Welded) -> bool {
+    welded.positions.is_identity() && has_large_parts(welded, MIN_SCAN_PART_TRIANGLES)
+}
+
 /// Whether the connected parts of a mesh have at least this number of triangles on average.
 pub(in crate::simplify) fn has_large_parts(welded: &Welded, triangle_count: usize) -> bool {
     let mut part_count = welded.positions.position_count();
@@ -476,7 +481,7 @@ pub(in crate::simplify) fn has_large_parts(welded: &Welded, triangle_count: usiz
 }
 
 /// Returns which positions must stay: those of locked vertices and those on locked borders between groups.
-pub(in crate::simplify) fn locked_positions(
+pub(crate) fn locked_positions(
     welded: &Welded,
     locked_vertices: &[u32],
     group_borders: BoundaryRule,

@@ -15,8 +15,9 @@ mod surface;
 
 use self::part::{PartResult, simplify_part, simplify_rest};
 use self::routed::RoutedLevel;
-use self::surface::{DividedSurface, NONE, map};
+use self::surface::{DividedSurface, NONE};
 use crate::mesh::Welded;
+use crate::parallel::map;
 use crate::simplify::collapse::cost_evaluator::has_large_parts;
 use crate::simplify::collapse::refinement_order::CollapseRecord;
 use crate::simplify::{BoundaryRule, SequenceOptions, SimplifyError, StopReason};

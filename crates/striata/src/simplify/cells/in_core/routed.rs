@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use super::surface::{DividedSurface, map};
+use super::surface::DividedSurface;
+use crate::parallel::map;
 use crate::simplify::cells::PartitionLevel;
 
 /// Each cell has about this many samples, from which space is divided.
