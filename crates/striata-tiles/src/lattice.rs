@@ -84,11 +84,15 @@ pub(crate) struct TileShape {
     pub up: Up,
     /// Axes along which tiles are divided: not the axis that is up for terrains and for what is flat.
     pub is_divided: [bool; 3],
+    /// Number of tiers by which more is refined near planes.
+    border_tiers: u16,
 }
 
 impl TileShape {
-    /// The shape of cubes.
-    pub(crate) const CUBES: Self = Self { up: Up::Z, is_divided: [true; 3] };
+    /// The shape of cubes, for viewers that draw levels whose errors are about a pixel. At planes, a quarter of the
+    /// error is enough then; a sixteenth costs half of the triangles again, because every eighth has planes.
+    pub(crate) const CUBES: Self =
+        Self { up: Up::Z, is_divided: [true; 3], border_tiers: StepTiers::PER_SIXTEENTH / 2 };
 
     /// The shape of a mesh whose axis that is up may be known. It is z for what has a georeference, for a height
     /// field and for what is flat along z.
@@ -103,7 +107,8 @@ impl TileShape {
         let up = up.unwrap_or(if is_georeferenced || is_flat(2) { Up::Z } else { Up::Y });
         let axis = if up == Up::Y { 1 } else { 2 };
         let is_terrain = is_georeferenced && up == Up::Z || is_flat(axis);
-        Self { up, is_divided: [0, 1, 2].map(|a| !(is_terrain && a == axis)) }
+        let is_divided = [0, 1, 2].map(|a| !(is_terrain && a == axis));
+        Self { up, is_divided, border_tiers: StepTiers::PER_SIXTEENTH }
     }
 
     /// Number of tiles of a level, about, that many levels below the coarsest.
@@ -147,7 +152,7 @@ impl TileShape {
                 0 => 0,
                 _ => (1..StepTiers::NONE).find(is_enough).unwrap_or(StepTiers::NONE),
             };
-            let border_tier = tier.saturating_sub(StepTiers::PER_SIXTEENTH);
+            let border_tier = tier.saturating_sub(self.border_tiers);
             LevelTiers { tier, border_tier, error: tiers.error_below(tier).into() }
         };
         (0..=count).map(level).collect()

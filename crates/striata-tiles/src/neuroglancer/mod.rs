@@ -7,7 +7,7 @@
 //!
 //! A level of detail ("lod") is a level of tiles whose sides have 2^bits − 1 steps. Neuroglancer draws the eighths of a
 //! fragment one by one, next to finer fragments, so surfaces are also cut and refined at the planes of the next finer
-//! level. In the integers of a fragment that plane is at 2^(bits−1), half a step above the middle.
+//! level, to a quarter of the error of the level. In the integers of a fragment that plane is at 2^(bits−1), half a step above the middle.
 //!
 //! | file | what it does |
 //! | --- | --- |
