@@ -19,12 +19,11 @@ use striata_testing::meshes::nasty;
 use striata_tiles::{
     NeuroglancerOptions, NeuroglancerReport, NeuroglancerWriter, ShardHash, Sharding, TilesError, VertexBits,
 };
-use tempfile::TempDir;
 
 type Point = [i64; 3];
 
 /// A level of detail, on its lattice.
-struct Lod {
+struct LodTriangles {
     scale: f32,
     cells: Vec<[u32; 3]>,
     /// Triangles of each fragment.
@@ -35,7 +34,7 @@ struct Segment {
     bits: u32,
     chunk: f32,
     origin: [f32; 3],
-    lods: Vec<Lod>,
+    lods: Vec<LodTriangles>,
 }
 
 fn info(folder: &Path) -> Value {
@@ -110,7 +109,7 @@ impl Segment {
                 if bytes.is_empty() { Vec::new() } else { decoded(bytes) }
             };
             let fragments = numbers.integers(count as usize).into_iter().map(fragment).collect();
-            Lod { scale, cells, fragments }
+            LodTriangles { scale, cells, fragments }
         };
         lods.extend(scales.into_iter().zip(counts).map(|(scale, count)| manifest_of(scale, count)));
         assert_eq!((at, numbers.0.len()), (data.len(), 0));
@@ -149,7 +148,7 @@ impl Segment {
     /// Triangles of a level on its lattice.
     fn triangles(&self, lod: usize) -> impl Iterator<Item = [Point; 3]> {
         let side = (1i64 << self.bits) - 1;
-        let Lod { cells, fragments, .. } = &self.lods[lod];
+        let LodTriangles { cells, fragments, .. } = &self.lods[lod];
         cells.iter().zip(fragments).flat_map(move |(cell, triangles)| {
             let shifted = move |p: Point| [0, 1, 2].map(|a| p[a] + i64::from(cell[a]) * side);
             triangles.iter().map(move |corners| corners.map(shifted))
@@ -226,16 +225,18 @@ fn options(fragment_triangles: u64, bits: VertexBits) -> NeuroglancerOptions {
 }
 
 fn written(mesh: &IndexedMesh, options: NeuroglancerOptions) -> (Segment, NeuroglancerReport) {
-    written_of(built(mesh), options)
+    let (folder, mut file) = built(mesh);
+    written_of(folder.path(), &mut file, options)
 }
 
 fn written_of(
-    (folder, mut file): (TempDir, PagedFile),
+    folder: &Path,
+    file: &mut PagedFile,
     options: NeuroglancerOptions,
 ) -> (Segment, NeuroglancerReport) {
-    let output = folder.path().join("meshes");
+    let output = folder.join("meshes");
     let mut writer = NeuroglancerWriter::new(&output, options).unwrap();
-    writer.add(7, &mut file, &mut ignore_progress).unwrap();
+    writer.add(7, file, &mut ignore_progress).unwrap();
     let report = writer.finish().unwrap();
     (Segment::read(&output, 7), report)
 }
@@ -246,8 +247,8 @@ fn a_closed_surface_has_no_open_edge_at_any_level() {
     let on_grid = |mesh: &IndexedMesh| try_built_with(mesh, false).unwrap();
     for bits in [VertexBits::Ten, VertexBits::Sixteen] {
         // The grid of a file moves vertices out of the bounds of the input.
-        for file in [built(&torus), on_grid(&torus), built(&shapes::icosphere(5, 3.0))] {
-            let (segment, report) = written_of(file, options(500, bits));
+        for (folder, mut file) in [built(&torus), on_grid(&torus), built(&shapes::icosphere(5, 3.0))] {
+            let (segment, report) = written_of(folder.path(), &mut file, options(500, bits));
             segment.check();
             assert!(segment.lods.len() >= 3 && segment.lods[0].cells.len() > 20);
             for lod in 0..segment.lods.len() {
@@ -266,7 +267,7 @@ fn a_closed_surface_has_no_open_edge_at_any_level() {
 fn scales_are_the_errors_of_levels() {
     let (segment, report) = written(&shapes::icosphere(5, 3.0), options(500, VertexBits::Sixteen));
     let mut largest = 0f64;
-    for (lod, Lod { scale, .. }) in segment.lods.iter().enumerate() {
+    for (lod, LodTriangles { scale, .. }) in segment.lods.iter().enumerate() {
         let off = |p: [f64; 3]| (p.iter().map(|x| x * x).sum::<f64>().sqrt() - 3.0).abs();
         // Centers of the triangles; those of the input are inside of the sphere already.
         let places: Vec<[f64; 3]> = segment.places(lod).collect();

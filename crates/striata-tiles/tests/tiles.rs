@@ -14,7 +14,6 @@ use striata::mesh::{AttributeLayer, IndexedMesh, Material, Semantic, TriangleGro
 use striata_paged::PagedFile;
 use striata_testing::meshes::{nasty, two_sided};
 use striata_tiles::{TileFormat, TileLevel, TilesError, TilesOptions, TilesReport, Up, write_tiles};
-use tempfile::TempDir;
 
 type Point = [f64; 3];
 type Cell = [i64; 3];
@@ -35,12 +34,13 @@ struct Tileset {
 }
 
 fn tiled(mesh: &IndexedMesh, options: &TilesOptions) -> Tileset {
-    tiled_of(built(mesh), options)
+    let (folder, mut file) = built(mesh);
+    tiled_of(folder.path(), &mut file, options)
 }
 
-fn tiled_of((folder, mut file): (TempDir, PagedFile), options: &TilesOptions) -> Tileset {
-    let output = folder.path().join("tiles");
-    let report = write_tiles(&mut file, &output, options, &mut ignore_progress).unwrap();
+fn tiled_of(folder: &Path, file: &mut PagedFile, options: &TilesOptions) -> Tileset {
+    let output = folder.join("tiles");
+    let report = write_tiles(file, &output, options, &mut ignore_progress).unwrap();
     Tileset::read(&output, report)
 }
 
@@ -268,8 +268,10 @@ fn a_closed_surface_has_no_open_edge_at_any_level() {
     // The grid of a file moves vertices out of the bounds of the input.
     let on_grid = |mesh: &IndexedMesh| try_built_with(mesh, false).unwrap();
     let (torus, flat) = (shapes::torus(80, 60, 1.0, 0.4), shapes::torus(80, 60, 1.0, 0.25));
-    for file in [built(&torus), built(&shapes::icosphere(5, 3.0)), on_grid(&torus), on_grid(&flat)] {
-        let set = tiled_of(file, &options(500));
+    for (folder, mut file) in
+        [built(&torus), built(&shapes::icosphere(5, 3.0)), on_grid(&torus), on_grid(&flat)]
+    {
+        let set = tiled_of(folder.path(), &mut file, &options(500));
         set.check();
         assert!(set.levels().len() >= 3);
         for level in set.levels() {

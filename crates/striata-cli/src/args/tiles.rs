@@ -25,7 +25,7 @@ pub(crate) struct TilesArgs {
     /// Format: 3D Tiles 1.1, or meshes of Neuroglancer (neuroglancer_multilod_draco)
     #[arg(long, value_name = "FORMAT", default_value = "3dtiles")]
     pub format: TilesFormat,
-    /// What only meshes of Neuroglancer have.
+    /// Options of meshes for Neuroglancer.
     #[command(flatten)]
     pub neuroglancer: NeuroglancerArgs,
     /// Triangles per tile or fragment, about
@@ -63,7 +63,7 @@ pub(crate) struct TilesArgs {
     pub build: PageBuildArgs,
 }
 
-/// What only meshes of Neuroglancer have.
+/// Options of meshes for Neuroglancer.
 #[derive(Debug, Args)]
 pub(crate) struct NeuroglancerArgs {
     /// Number of the segment that the input becomes [default: 1]

@@ -8,7 +8,7 @@ use striata::mesh::IndexedMesh;
 use striata_io::{WriteError, encode_draco};
 use striata_paged::PagedFile;
 
-use super::NeuroglancerOptions;
+use super::options::NeuroglancerOptions;
 use crate::TileLevel;
 use crate::blocks::{TileLevels, levels_of, z_order};
 use crate::error::TilesError;
@@ -21,12 +21,12 @@ pub(super) struct Segment {
     lattice: TileLattice,
     /// Origin of the mesh.
     origin: [f64; 3],
-    lods: Vec<Lod>,
+    lods: Vec<SegmentLod>,
 }
 
 /// A level of detail.
 #[derive(Debug)]
-struct Lod {
+struct SegmentLod {
     /// Bytes of each fragment, by its number in z-order.
     fragments: BTreeMap<u64, u32>,
     triangle_count: u64,
@@ -34,7 +34,7 @@ struct Lod {
 }
 
 /// A fragment with its number in z-order.
-struct Fragment {
+struct EncodedFragment {
     number: u64,
     triangle_count: u64,
     bytes: Vec<u8>,
@@ -69,12 +69,12 @@ impl Segment {
             // Zero would say that there is no such level.
             let error =
                 if number == 0 { lattice.step(0) } else { level.error + lattice.largest_move(number) };
-            lods.push(Lod { fragments: BTreeMap::new(), triangle_count: 0, error });
+            lods.push(SegmentLod { fragments: BTreeMap::new(), triangle_count: 0, error });
         }
         let mut write = |block: &TileBlock<'_>, mesh: IndexedMesh| {
             let lod = &mut lods[block.number as usize];
             for fragment in fragments(block, mesh) {
-                let Fragment { number, triangle_count, bytes } = fragment?;
+                let EncodedFragment { number, triangle_count, bytes } = fragment?;
                 put(&bytes)?;
                 lod.fragments.insert(number, bytes.len() as u32);
                 lod.triangle_count += triangle_count;
@@ -98,7 +98,7 @@ impl Segment {
 
     /// Number of bytes of all fragments.
     pub(super) fn byte_count(&self) -> u64 {
-        self.lods.iter().map(Lod::byte_count).sum()
+        self.lods.iter().map(SegmentLod::byte_count).sum()
     }
 
     /// Step of the coordinates of the finest level.
@@ -143,7 +143,7 @@ impl Segment {
     }
 }
 
-impl Lod {
+impl SegmentLod {
     fn byte_count(&self) -> u64 {
         self.fragments.values().map(|&size| u64::from(size)).sum()
     }
@@ -155,7 +155,7 @@ fn coordinate(number: u64, axis: u32) -> u32 {
 }
 
 /// The fragments of a block in z-order.
-fn fragments(block: &TileBlock<'_>, mesh: IndexedMesh) -> Vec<Result<Fragment, WriteError>> {
+fn fragments(block: &TileBlock<'_>, mesh: IndexedMesh) -> Vec<Result<EncodedFragment, WriteError>> {
     // Vertices that differ in other data are one.
     let IndexedMesh { positions, triangles, .. } = mesh;
     let mesh = IndexedMesh { positions, triangles, ..IndexedMesh::default() };
@@ -167,7 +167,7 @@ fn fragments(block: &TileBlock<'_>, mesh: IndexedMesh) -> Vec<Result<Fragment, W
         let side = i64::from(block.lattice.side);
         let from_corner = |point: &[i64; 3]| [0, 1, 2].map(|a| (point[a] - cell[a] * side) as i32);
         let points: Vec<[i32; 3]> = tile.points.iter().map(from_corner).collect();
-        let fragment = |bytes| Fragment {
+        let fragment = |bytes| EncodedFragment {
             number: z_order(*cell),
             triangle_count: tile.mesh.triangles.len() as u64,
             bytes,

@@ -46,7 +46,7 @@ pub struct Sharding {
 }
 
 impl Sharding {
-    /// A distribution of so many segments.
+    /// A distribution of this number of segments.
     pub fn of_count(segments: u64) -> Self {
         let bits = segments.div_ceil(MINISHARD_SEGMENTS).max(1).next_power_of_two().ilog2();
         let minishard_bits = bits.min(MINISHARD_BITS);

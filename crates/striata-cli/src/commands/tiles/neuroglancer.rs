@@ -16,7 +16,7 @@ use crate::args::TilesArgs;
 use crate::commands::paged;
 
 #[derive(Serialize)]
-struct WrittenMeshes<'a> {
+struct WrittenSegments<'a> {
     output: &'a Path,
     seconds: f64,
     #[serde(flatten)]
@@ -40,7 +40,7 @@ pub(super) fn run(args: &TilesArgs, output: &Output) -> Result<(), Failure> {
     }
     let meshes = writer.finish().map_err(failure)?;
     meshes.left_out.iter().for_each(|warning| output.say(&format!("warning: {warning}")));
-    let report = WrittenMeshes { output: &args.output, seconds: start.elapsed().as_secs_f64(), meshes };
+    let report = WrittenSegments { output: &args.output, seconds: start.elapsed().as_secs_f64(), meshes };
     output.summary(&report, &text_of(&report))
 }
 
@@ -87,7 +87,7 @@ fn segments(args: &TilesArgs, output: &Output) -> Result<BTreeMap<u64, Vec<PathB
     Ok(segments)
 }
 
-fn text_of(report: &WrittenMeshes<'_>) -> String {
+fn text_of(report: &WrittenSegments<'_>) -> String {
     let meshes = &report.meshes;
     format!(
         "{}: {}, {} fragments of {} levels, {}; errors are estimates\nwritten in {}\n\n{}",
