@@ -20,6 +20,7 @@
 //! | `textures/` | images, and the atlases of tiles |
 //! | `tileset.rs`, `sink.rs` | `tileset.json`, and the folder or archive |
 //! | `neuroglancer/` | fragments, manifests and shards of Neuroglancer |
+//! | `zarr/` | arrays in refinement order, which are no tiles |
 //!
 //! Cost: each page is read once for the tiers and about twice for each level that needs it. Memory holds a block of
 //! about a million triangles with its pages, and a byte per position. Textures add a pass over the finest surface;
@@ -34,6 +35,7 @@ mod sink;
 mod textures;
 mod tile_mesh;
 mod tileset;
+mod zarr;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -57,6 +59,7 @@ pub use sink::{check_folder, check_output};
 use textures::{DressedTile, TEXELS_PER_ERROR, TileTextures, without_textures};
 use tile_mesh::LevelMesh;
 use tileset::{Tile, TileTree, path_of, turned};
+pub use zarr::{ZarrLevel, ZarrReport, write_zarr};
 
 /// A level with a larger share of triangles that have corners in several charts is worth a remark.
 const MOST_MIXED: f64 = 0.05;

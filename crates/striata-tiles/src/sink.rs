@@ -20,7 +20,11 @@ const INDEX: &str = "@3dtilesIndex1@";
 /// Name by which outputs of this crate are known again.
 pub(crate) const GENERATOR: &str = "striata";
 /// Files that describe outputs, and where the name is in them.
-const DESCRIPTIONS: [(&str, &str); 2] = [("tileset.json", "/asset/generator"), ("info", "/generator")];
+const DESCRIPTIONS: [(&str, &str); 3] = [
+    ("tileset.json", "/asset/generator"),
+    ("info", "/generator"),
+    ("zarr.json", "/attributes/striata/generator"),
+];
 /// Largest description of a tileset that is read to learn who wrote it.
 const MAX_JSON_BYTES: u64 = 64 << 20;
 

@@ -126,7 +126,7 @@ pub(crate) enum Verb {
     Encode(EncodeArgs),
     /// Decode a progressive stream, complete or cut off, into a mesh
     Decode(DecodeArgs),
-    /// Write a mesh of any size as 3D Tiles, or for Neuroglancer
+    /// Write 3D Tiles, meshes for Neuroglancer, or arrays of levels (Zarr)
     Tiles(TilesArgs),
     /// Render a mesh, its levels or a view to a PNG file
     Render(Box<RenderArgs>),

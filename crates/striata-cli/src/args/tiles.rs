@@ -22,15 +22,15 @@ pub(crate) struct TilesArgs {
     /// Folder to write the tiles to, or one file if it ends in .3tz (3D Tiles); tiles that are there are replaced
     #[arg(short, long, value_name = "FOLDER|OUT.3tz")]
     pub output: PathBuf,
-    /// Format: 3D Tiles 1.1, or meshes of Neuroglancer (neuroglancer_multilod_draco)
+    /// Format: 3D Tiles 1.1, meshes of Neuroglancer (neuroglancer_multilod_draco), or arrays in refinement order (Zarr v3)
     #[arg(long, value_name = "FORMAT", default_value = "3dtiles")]
     pub format: TilesFormat,
     /// Options of meshes for Neuroglancer.
     #[command(flatten)]
     pub neuroglancer: NeuroglancerArgs,
-    /// Triangles per tile or fragment, about
-    #[arg(long, value_name = "N", default_value_t = 16_384, value_parser = clap::value_parser!(u64).range(100..=1_000_000))]
-    pub tile_triangles: u64,
+    /// Triangles per tile or fragment, about [default: 16384]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(100..=1_000_000))]
+    pub tile_triangles: Option<u64>,
     /// Store integers of 16 bits (KHR_mesh_quantization) instead of floats
     #[arg(long, conflicts_with_all = ["meshopt", "draco"])]
     pub quantize: bool,
@@ -95,6 +95,8 @@ pub(crate) enum TilesFormat {
     Tiles3d,
     /// Meshes of Neuroglancer
     Neuroglancer,
+    /// Arrays in refinement order
+    Zarr,
 }
 
 /// How a paged file is built that only this verb reads.
@@ -109,6 +111,15 @@ pub(crate) struct PageBuildArgs {
     /// How cells and positions are chosen.
     #[command(flatten)]
     pub cells: CellArgs,
+}
+
+impl PageBuildArgs {
+    /// Returns the first flag that the user gave.
+    pub(crate) fn first_given_flag(&self) -> Option<&'static str> {
+        let flags = [("--memory", self.memory.is_some()), ("--threads", self.threads.is_some())];
+        let first = flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag);
+        first.or_else(|| self.cells.first_given_flag())
+    }
 }
 
 impl TilesArgs {

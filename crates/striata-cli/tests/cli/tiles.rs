@@ -209,6 +209,11 @@ fn flags_of_another_format_are_refused() {
         ("--format stars", "invalid value 'stars'"),
         ("--bits 10", "--bits has no effect on 3D Tiles"),
         ("--sharded", "--sharded has no effect on 3D Tiles"),
+        ("--format zarr --bits 10", "--bits has no effect on Zarr stores"),
+        ("--format zarr --draco", "--draco has no effect on Zarr stores"),
+        ("--format zarr --tile-triangles 1000", "--tile-triangles has no effect"),
+        ("--format zarr --exact", "--exact has no effect"),
+        ("--format zarr shape:cube", "a Zarr store has one input"),
     ] {
         let text = bench.refused(&format!("tiles shape:torus -o out {arguments}"));
         assert!(text.contains(expected), "{arguments}: {text}");
@@ -216,4 +221,32 @@ fn flags_of_another_format_are_refused() {
     let text = bench.refused("tiles empty -o out --format neuroglancer");
     assert!(text.contains("there are no meshes in this folder"), "{text}");
     assert_eq!(bench.names(), ["empty"]);
+}
+
+#[test]
+fn an_input_becomes_a_zarr_store() {
+    let bench = Workbench::new();
+    let report = bench.json("tiles shape:torus -o direct.zarr --format zarr");
+    let levels = report["levels"].as_array().unwrap();
+    assert!(levels.len() > 3 && levels[0]["error"] == 0.0, "{report}");
+    assert_eq!(levels[0]["vertices"], report["vertices"]);
+    bench.run("build shape:torus -o t.striata --certify").success();
+    let certified = bench.json("tiles t.striata -o t.zarr --format zarr");
+    assert_eq!(certified["level_count"], report["level_count"]);
+    let root: Value = serde_json::from_slice(&fs::read(bench.path("t.zarr/zarr.json")).unwrap()).unwrap();
+    let described = &root["attributes"]["striata"];
+    assert_eq!((&described["guaranteed_errors"], &described["version"]), (&true.into(), &1.into()));
+    assert_eq!((&root["node_type"], &root["zarr_format"]), (&"group".into(), &3.into()));
+    for path in certified["arrays"].as_array().unwrap() {
+        let node = format!("t.zarr/{}/zarr.json", path.as_str().unwrap());
+        assert!(bench.path(&node).exists(), "{node}");
+    }
+    // All levels of a paged file.
+    bench.run("build shape:terrain:60 -o p.striata --paged").success();
+    let paged = bench.json("tiles p.striata -o direct.zarr --format zarr");
+    assert_eq!(paged["vertices"], 3600);
+    std::fs::copy(crate::workbench::asset("arm.glb"), bench.path("arm.glb")).unwrap();
+    let arm = bench.json("tiles arm.glb -o arm.zarr --format zarr");
+    assert!(arm["left_out"].to_string().contains("left out: the materials"), "{arm}");
+    assert_eq!(bench.names(), ["arm.glb", "arm.zarr", "direct.zarr", "p.striata", "t.striata", "t.zarr"]);
 }

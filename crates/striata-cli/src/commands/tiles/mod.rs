@@ -1,6 +1,8 @@
-//! `tiles`: 3D Tiles, or meshes for Neuroglancer, of a paged file, or of any input, which is built into one first.
+//! `tiles`: 3D Tiles, or meshes for Neuroglancer, of a paged file, or of any input, which is built into one first; or
+//! arrays in refinement order of a mesh.
 
 mod neuroglancer;
+mod zarr;
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -42,6 +44,11 @@ pub(crate) fn run(args: &TilesArgs, output: &Output) -> Result<(), Failure> {
     let (flag, format) = match args.format {
         TilesFormat::Tiles3d => (args.neuroglancer.first_given_flag(), "3D Tiles"),
         TilesFormat::Neuroglancer => (args.first_flag_of_3d_tiles(), "meshes of Neuroglancer"),
+        TilesFormat::Zarr => {
+            let of_tiles = args.first_flag_of_3d_tiles().or(args.neuroglancer.first_given_flag());
+            let of_tiles = of_tiles.or(args.tile_triangles.map(|_| "--tile-triangles"));
+            (of_tiles.or(args.build.first_given_flag()), "Zarr stores")
+        }
     };
     if let Some(flag) = flag {
         let message = format!("{flag} has no effect on {format}");
@@ -50,6 +57,7 @@ pub(crate) fn run(args: &TilesArgs, output: &Output) -> Result<(), Failure> {
     match args.format {
         TilesFormat::Tiles3d => write_tileset(args, output),
         TilesFormat::Neuroglancer => neuroglancer::run(args, output),
+        TilesFormat::Zarr => zarr::run(args, output),
     }
 }
 
@@ -74,7 +82,7 @@ fn write_tileset(args: &TilesArgs, output: &Output) -> Result<(), Failure> {
 
 fn options_of(args: &TilesArgs) -> TilesOptions {
     let mut options = TilesOptions::default();
-    options.tile_triangles = args.tile_triangles;
+    options.tile_triangles = args.tile_triangles.unwrap_or(options.tile_triangles);
     options.format = match (args.quantize, args.meshopt, args.draco) {
         (_, _, true) => TileFormat::Draco,
         (_, true, _) => TileFormat::Meshopt,

@@ -27,7 +27,7 @@ pub(super) fn run(args: &TilesArgs, output: &Output) -> Result<(), Failure> {
     let start = Instant::now();
     let segments = segments(args, output)?;
     let mut options = NeuroglancerOptions::default();
-    options.fragment_triangles = args.tile_triangles;
+    options.fragment_triangles = args.tile_triangles.unwrap_or(options.fragment_triangles);
     if args.neuroglancer.bits.as_deref() == Some("10") {
         options.bits = VertexBits::Ten;
     }
