@@ -187,3 +187,33 @@ fn murmur(key: u64) -> u64 {
     add(&mut words);
     u64::from(words[0]) | u64::from(words[1]) << 32
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hashes_are_those_of_other_readers() {
+        // By cloud-volume 12.
+        for (key, hash) in [
+            (0, 0x4772_b084_e028_ae41),
+            (1, 0xe8bd_67d6_16d4_ce9a),
+            (42, 0xc20b_94f9_5119_f47a),
+            (u64::MAX, 0x574f_66bd_212b_5d1a),
+        ] {
+            assert_eq!(murmur(key), hash, "{key}");
+        }
+    }
+
+    #[test]
+    fn shards_hold_thousands_of_segments() {
+        let bits = |count| {
+            let sharding = Sharding::of_count(count);
+            (sharding.minishard_bits, sharding.shard_bits)
+        };
+        assert_eq!(
+            [0, 1, 128, 129, 10_000, 1_000_000, u64::MAX].map(bits),
+            [(0, 0), (0, 0), (0, 0), (1, 0), (6, 1), (6, 7), (6, 16)]
+        );
+    }
+}
