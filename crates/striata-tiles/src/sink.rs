@@ -65,6 +65,9 @@ pub fn check_output(path: &Path) -> Result<(), TilesError> {
 /// # Errors
 /// [`TilesError::Place`] with the reason.
 pub fn check_folder(path: &Path) -> Result<(), TilesError> {
+    if is_archive(path) {
+        return Err(refused(path, "only 3D Tiles can be one file"));
+    }
     let Ok(there) = fs::metadata(path) else { return Ok(()) };
     if !there.is_dir() {
         return Err(refused(path, "it is a file, but tiles need a folder"));

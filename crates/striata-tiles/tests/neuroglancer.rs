@@ -372,6 +372,8 @@ fn segments_are_written_together_or_not_at_all() {
     let mut writer = begin();
     writer.add(5, &mut file, &mut ignore_progress).unwrap();
     writer.finish().unwrap();
+    let archive = NeuroglancerWriter::new(&folder.path().join("a.3tz"), NeuroglancerOptions::default());
+    assert!(matches!(archive, Err(TilesError::Place { .. })));
     // Its own output may be replaced, and nothing else.
     let mut writer = begin();
     let stopped = writer.add(6, &mut file, &mut |_| std::ops::ControlFlow::Break(()));
