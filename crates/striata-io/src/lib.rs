@@ -176,6 +176,8 @@ pub use color_space::{convert_colors, linear_to_srgb_colors, needs_other_colors,
 pub use compressed::decompressed;
 pub use error::{Place, ReadError, WriteError};
 pub use format::Format;
+#[cfg(feature = "draco")]
+pub use gltf::encode_draco;
 #[cfg(feature = "gltf")]
 pub use gltf::{ExtensionUse, extension_use, known_extensions, shaded};
 #[cfg(feature = "gltf")]

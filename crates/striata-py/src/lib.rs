@@ -54,4 +54,6 @@ mod strip_level;
 #[cfg(feature = "python")]
 mod strips;
 #[cfg(feature = "python")]
+mod tiles;
+#[cfg(feature = "python")]
 mod view;

@@ -23,7 +23,8 @@ pub(crate) struct PagedLodData {
     file: Arc<Mutex<PagedFile>>,
 }
 
-fn paged_error(error: PagedError) -> PyErr {
+/// Errors of reading a paged file.
+pub(crate) fn paged_error(error: PagedError) -> PyErr {
     match error {
         PagedError::Io { place, source } => os_error(&source, place),
         other => decode_error(other),

@@ -38,6 +38,14 @@ pub enum TilesError {
         /// The input.
         name: String,
     },
+    /// A segment cannot be written.
+    #[error("segment {id}: {reason}")]
+    Segment {
+        /// Identifier of the segment.
+        id: u64,
+        /// Reason in words.
+        reason: &'static str,
+    },
     /// Skirts were asked for, but the mesh is not flat.
     #[error("{name}: skirts are for terrains, but this mesh turns over or is as high as it is wide")]
     Skirts {

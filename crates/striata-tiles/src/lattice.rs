@@ -5,7 +5,7 @@
 //!  level 0   |_______|_______|_______|_______|      steps double from level to level
 //! ```
 //!
-//! All steps are powers of two and count from one origin, so the lattice of a level contains those of coarser ones, and
+//! All steps are powers of two, or few bits times one, and count from one origin, so the lattice of a level contains those of coarser ones, and
 //! every plane between tiles lies on the lattices of all tiles that it bounds. Coordinates of vertices are
 //! exact, as floats and as integers of 16 bits, so no format opens cracks.
 
@@ -18,6 +18,8 @@ use crate::textures::TileTextures;
 pub(crate) const MAX_LEVEL: u32 = 14;
 /// Base-2 logarithm of the number of steps of a tile's side, rounded up.
 const SIDE_BITS: i32 = 15;
+/// Number of bits of the steps of cubes.
+const UNIT_BITS: i32 = 8;
 /// Smallest exponent of a step: floats can still be divided.
 const MIN_EXPONENT: i32 = -110;
 /// A mesh is flat if it is this many times as wide as it is high.
@@ -43,12 +45,16 @@ pub enum Up {
 pub(crate) struct TileLattice {
     /// Position of the first lattice point.
     pub origin: [f64; 3],
-    /// Base-2 logarithm of the step of level 0.
-    pub exponent: i32,
+    /// Step of level 0: a number of at most eight bits, so that multiples are exact.
+    pub unit: f64,
     /// Number of steps of a tile's side, at every level.
     pub side: u32,
+    /// Largest coordinates of the mesh, from the origin.
+    pub high: [f64; 3],
     /// Axes along which tiles are divided.
     pub is_divided: [bool; 3],
+    /// Whether triangles are also cut at the planes between the tiles of the next finer level.
+    pub is_halved: bool,
 }
 
 /// A level of the tileset.
@@ -78,9 +84,16 @@ pub(crate) struct TileShape {
     pub up: Up,
     /// Axes along which tiles are divided: not the axis that is up for terrains and for what is flat.
     pub is_divided: [bool; 3],
+    /// Number of tiers by which more is refined near planes.
+    border_tiers: u16,
 }
 
 impl TileShape {
+    /// The shape of cubes, for viewers that draw levels whose errors are about a pixel. At planes, a quarter of the
+    /// error is enough then; a sixteenth costs half of the triangles again, because every eighth has planes.
+    pub(crate) const CUBES: Self =
+        Self { up: Up::Z, is_divided: [true; 3], border_tiers: StepTiers::PER_SIXTEENTH / 2 };
+
     /// The shape of a mesh whose axis that is up may be known. It is z for what has a georeference, for a height
     /// field and for what is flat along z.
     pub(crate) fn of(metadata: &Metadata, tiers: &StepTiers, up: Option<Up>) -> Self {
@@ -94,7 +107,8 @@ impl TileShape {
         let up = up.unwrap_or(if is_georeferenced || is_flat(2) { Up::Z } else { Up::Y });
         let axis = if up == Up::Y { 1 } else { 2 };
         let is_terrain = is_georeferenced && up == Up::Z || is_flat(axis);
-        Self { up, is_divided: [0, 1, 2].map(|a| !(is_terrain && a == axis)) }
+        let is_divided = [0, 1, 2].map(|a| !(is_terrain && a == axis));
+        Self { up, is_divided, border_tiers: StepTiers::PER_SIXTEENTH }
     }
 
     /// Number of tiles of a level, about, that many levels below the coarsest.
@@ -138,7 +152,7 @@ impl TileShape {
                 0 => 0,
                 _ => (1..StepTiers::NONE).find(is_enough).unwrap_or(StepTiers::NONE),
             };
-            let border_tier = tier.saturating_sub(StepTiers::PER_SIXTEENTH);
+            let border_tier = tier.saturating_sub(self.border_tiers);
             LevelTiers { tier, border_tier, error: tiers.error_below(tier).into() }
         };
         (0..=count).map(level).collect()
@@ -156,6 +170,17 @@ impl TileShape {
     }
 }
 
+/// The metadata of a file with bounds that contain all positions, also those that the grid of the file moves outside.
+pub(crate) fn bounded(metadata: &Metadata) -> Metadata {
+    let mut bounded = metadata.clone();
+    if let Some(grid) = &metadata.grid {
+        let (low, high) = (grid.snap(metadata.min), grid.snap(metadata.max));
+        bounded.min = [0, 1, 2].map(|a| low[a].min(metadata.min[a]));
+        bounded.max = [0, 1, 2].map(|a| high[a].max(metadata.max[a]));
+    }
+    bounded
+}
+
 fn extents(metadata: &Metadata) -> [f64; 3] {
     [0, 1, 2].map(|a| f64::from(metadata.max[a]) - f64::from(metadata.min[a]))
 }
@@ -171,12 +196,37 @@ impl TileLattice {
         let origin = [0, 1, 2].map(|a| (f64::from(metadata.min[a]) / step).floor() * step);
         let steps = |a: usize| ((f64::from(metadata.max[a]) - origin[a]) / step).floor() as u32 + 1;
         let side = (0..3).filter(|&a| is_divided[a]).map(steps).fold(2, u32::max);
-        Self { origin, exponent: exponent - level_count as i32, side, is_divided }
+        let unit = 2f64.powi(exponent - level_count as i32);
+        let high = [0, 1, 2].map(|a| f64::from(metadata.max[a]) - origin[a]);
+        Self { origin, unit, side, high, is_divided, is_halved: false }
+    }
+
+    /// The lattice of cubes of `side` steps, whose levels are cut at the planes of the next finer ones. The coarsest
+    /// tile is hardly larger than the mesh. With an odd `side`, a plane of a finer level is half a step off, and
+    /// vertices on it move to the next point.
+    pub(crate) fn of_cubes(metadata: &Metadata, side: u32, level_count: u32) -> Self {
+        let origin = metadata.min.map(f64::from);
+        let widest = extents(metadata).into_iter().fold(0.0, f64::max);
+        let wanted = widest / (f64::from(side) * 2f64.powi(level_count as i32));
+        let exponent = (exponent_of(wanted) + 1 - UNIT_BITS).max(MIN_EXPONENT);
+        // Larger than wanted, because what lies on the last plane would belong to a tile beyond it.
+        let unit = ((wanted / 2f64.powi(exponent)).floor() + 1.0) * 2f64.powi(exponent);
+        Self { origin, unit, side, high: extents(metadata), is_divided: [true; 3], is_halved: true }
     }
 
     /// Distance of lattice points.
     pub(crate) fn step(&self, level: u32) -> f64 {
-        2f64.powi(self.exponent + level as i32)
+        self.unit * 2f64.powi(level as i32)
+    }
+
+    /// Base-2 logarithm of a step that is a power of two.
+    pub(crate) fn step_log2(&self, level: u32) -> i32 {
+        exponent_of(self.step(level))
+    }
+
+    /// Distance of the planes at which triangles are cut.
+    fn plane_distance(&self, level: u32) -> f64 {
+        self.tile_side(if self.is_halved { level.saturating_sub(1) } else { level })
     }
 
     /// Largest distance by which a vertex moves to the lattice.
@@ -246,10 +296,11 @@ impl TileBlock<'_> {
         if axes().any(is_outside) {
             return false;
         }
+        let distance = self.lattice.plane_distance(self.number);
         // The first plane that is not below the range is not above it either.
         let meets_plane = |a: usize| {
-            let cell = cell_of(low[a], side);
-            cell as f64 * side == low[a] || (cell + 1) as f64 * side <= high[a]
+            let cell = cell_of(low[a], distance);
+            cell as f64 * distance == low[a] || (cell + 1) as f64 * distance <= high[a]
         };
         tier >= self.level.tier || axes().any(meets_plane)
     }

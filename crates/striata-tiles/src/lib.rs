@@ -1,7 +1,8 @@
-//! 3D Tiles 1.1 from a paged file, without cracks between tiles.
+//! 3D Tiles 1.1 and meshes for Neuroglancer from paged files, without cracks between tiles.
 //!
 //! ```text
 //!  paged file ──> tier of each step ──> levels and lattice ──> blocks of a level ──> tiles ──> GLB, tileset.json
+//!                                                                                         └──> Draco, manifest
 //! ```
 //!
 //! Every level of the tileset has about a quarter of the triangles of the next finer one. The content of a tile is the
@@ -13,22 +14,28 @@
 //! | file | what it does |
 //! | --- | --- |
 //! | `lattice.rs` | the lattice, the planes, the levels, and what is refined in a block of tiles |
+//! | `blocks.rs` | blocks of tiles, cut out of a paged file |
 //! | `tile_mesh.rs` | triangles cut at planes, and the mesh of a tile |
 //! | `earth.rs` | from map coordinates to earth-centered ones |
 //! | `textures/` | images, and the atlases of tiles |
 //! | `tileset.rs`, `sink.rs` | `tileset.json`, and the folder or archive |
+//! | `neuroglancer/` | fragments, manifests and shards of Neuroglancer |
+//! | `zarr/` | arrays in refinement order, which are no tiles |
 //!
 //! Cost: each page is read once for the tiers and about twice for each level that needs it. Memory holds a block of
 //! about a million triangles with its pages, and a byte per position. Textures add a pass over the finest surface;
 //! memory holds one decoded image at a time, and a file next to the output a third more than all of them.
 
+mod blocks;
 mod earth;
 mod error;
 mod lattice;
+mod neuroglancer;
 mod sink;
 mod textures;
 mod tile_mesh;
 mod tileset;
+mod zarr;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -38,19 +45,22 @@ use serde::Serialize;
 use striata::mesh::IndexedMesh;
 use striata::{Progress, ProgressFn};
 use striata_io::{Format, QuantizeOptions, WriteOptions, encode_mesh, shaded};
-use striata_paged::{Metadata, PagedFile, StepTiers};
+use striata_paged::{Metadata, PagedFile};
 
+use blocks::{TileLevels, levels_of};
 pub use error::TilesError;
 pub use lattice::Up;
-use lattice::{Cell, LevelTiers, TileBlock, TileLattice, TileShape};
+use lattice::{Cell, LevelTiers, TileBlock, TileLattice, TileShape, bounded};
+pub use neuroglancer::{
+    NeuroglancerOptions, NeuroglancerReport, NeuroglancerWriter, ShardHash, Sharding, VertexBits,
+};
 use sink::Sink;
-pub use sink::check_output;
+pub use sink::{check_folder, check_output};
 use textures::{DressedTile, TEXELS_PER_ERROR, TileTextures, without_textures};
 use tile_mesh::LevelMesh;
 use tileset::{Tile, TileTree, path_of, turned};
+pub use zarr::{ZarrLevel, ZarrReport, write_zarr};
 
-/// Triangles of a block of tiles that are made together, about.
-const BLOCK_TRIANGLES: f64 = (1 << 20) as f64;
 /// A level with a larger share of triangles that have corners in several charts is worth a remark.
 const MOST_MIXED: f64 = 0.05;
 /// Tiles that are encoded at the same time.
@@ -161,7 +171,7 @@ pub fn write_tiles(
     progress: &mut ProgressFn<'_>,
 ) -> Result<TilesReport, TilesError> {
     check_output(output)?;
-    let metadata = file.metadata().clone();
+    let metadata = bounded(file.metadata());
     let name = metadata.source.clone();
     if metadata.triangle_count == 0 {
         return Err(TilesError::Empty { name });
@@ -180,12 +190,11 @@ pub fn write_tiles(
     };
     let shape = TileShape::of(&metadata, &tiers, options.up);
     let up = shape.up;
-    let base = file.reader().entry(0).map_or(0, |entry| u64::from(entry.triangle_count));
     // As many tiles as textures need, if that is more.
     let tile_triangles =
         textures.as_ref().map_or(f64::INFINITY, |textures| textures.tile_triangles(&metadata));
     let tile_triangles = tile_triangles.min(options.tile_triangles.max(1) as f64);
-    let levels = shape.levels(&metadata, &tiers, base, tile_triangles);
+    let levels = levels_of(file, shape, &tiers, tile_triangles);
     let texels: Vec<f64> = match &textures {
         Some(textures) => shape.texels(&metadata, textures, &levels),
         None => vec![0.0; levels.len()],
@@ -204,8 +213,6 @@ pub fn write_tiles(
     };
     let mut sink = Sink::new(output)?;
     let mut tiler = Tiler {
-        file,
-        tiers: &tiers,
         lattice: &lattice,
         levels: &levels,
         textures: textures.as_ref().map(|textures| (textures, &texels[..])),
@@ -216,7 +223,14 @@ pub fn write_tiles(
         mixed_counts: vec![[0; 2]; levels.len()],
         warnings,
     };
-    tiler.write_all(output, tile_triangles, &mut sink, progress)?;
+    let failed = |source| TilesError::Io { path: output.to_owned(), source };
+    let tile_levels = TileLevels { tiers: &tiers, lattice: &lattice, levels: &levels, tile_triangles };
+    tile_levels.for_each_block(file, (0..levels.len() as u32).rev(), progress, |block, mesh| {
+        tiler.write_block(block, mesh, &mut sink).map_err(|error| match error {
+            BlockError::Tiles(error) => error,
+            BlockError::Sink(source) => failed(source),
+        })
+    })?;
     let Tiler { tiles, image_counts, mixed_counts, mut warnings, .. } = tiler;
     let is_smeared = |&(_, &[mixed, all]): &(usize, &[u64; 2])| mixed as f64 > MOST_MIXED * all as f64;
     if let Some((level, [mixed, all])) = mixed_counts.iter().enumerate().find(is_smeared) {
@@ -243,7 +257,6 @@ pub fn write_tiles(
         let [x, y, z] = turned(up, [0, 1, 2].map(|a| metadata.origin[a] + lattice.origin[a]));
         [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, x, y, z, 1.0]
     };
-    let failed = |source| TilesError::Io { path: output.to_owned(), source };
     for (path, value) in tree.files(place.map_or_else(local, |place| place.matrix)) {
         sink.put(&path, value.to_string().as_bytes()).map_err(failed)?;
     }
@@ -294,8 +307,6 @@ fn left_out(metadata: &Metadata) -> BTreeSet<String> {
 
 /// Writes the contents of all tiles.
 struct Tiler<'a> {
-    file: &'a mut PagedFile,
-    tiers: &'a StepTiers,
     lattice: &'a TileLattice,
     levels: &'a [LevelTiers],
     /// The textures, and the length of their texels at each level.
@@ -311,57 +322,13 @@ struct Tiler<'a> {
 }
 
 impl Tiler<'_> {
-    fn write_all(
+    fn write_block(
         &mut self,
-        output: &Path,
-        tile_triangles: f64,
+        block: &TileBlock<'_>,
+        mut mesh: IndexedMesh,
         sink: &mut Sink,
-        progress: &mut ProgressFn<'_>,
-    ) -> Result<(), TilesError> {
-        let top = self.levels.len() as u32 - 1;
-        let mut height = 0;
-        while height < top && 4f64.powi(height as i32) * tile_triangles.max(1.0) < BLOCK_TRIANGLES {
-            height += 1;
-        }
-        let blocks: Vec<(u32, [Cell; 2])> =
-            (0..=top).rev().flat_map(|level| self.blocks(level, height)).collect();
-        let total = blocks.len() as u64;
-        for (done, (level, cells)) in (1..).zip(blocks) {
-            self.write_block(level, cells, sink).map_err(|error| match error {
-                BlockError::Tiles(error) => error,
-                BlockError::Sink(source) => TilesError::Io { path: output.to_owned(), source },
-            })?;
-            Progress { phase: "tile", done, total }.report(progress)?;
-        }
-        Ok(())
-    }
-
-    /// Blocks of a level that the mesh may reach, with the tiles of each.
-    fn blocks(&self, level: u32, height: u32) -> Vec<(u32, [Cell; 2])> {
-        let top = self.levels.len() as u32 - 1;
-        let height = height.min(top - level);
-        let metadata = self.file.metadata();
-        let last = |a: usize| {
-            let high = self.lattice.place(metadata.max)[a];
-            self.lattice.cells_of(a, high, high, level + height)[0]
-        };
-        let side = |a: usize| if self.lattice.is_divided[a] { 1 << height } else { 1 };
-        let mut blocks = Vec::new();
-        for x in 0..=last(0) {
-            for y in 0..=last(1) {
-                for z in 0..=last(2) {
-                    let first = [0, 1, 2].map(|a| [x, y, z][a] * side(a));
-                    blocks.push((level, [first, [0, 1, 2].map(|a| first[a] + side(a))]));
-                }
-            }
-        }
-        blocks
-    }
-
-    fn write_block(&mut self, number: u32, cells: [Cell; 2], sink: &mut Sink) -> Result<(), BlockError> {
-        let block = TileBlock { lattice: self.lattice, level: self.levels[number as usize], number, cells };
-        let cut = self.file.cut_tiers(self.tiers, |tier, bounds| block.wants(tier, bounds))?;
-        let mut mesh = cut.mesh;
+    ) -> Result<(), BlockError> {
+        let number = block.number;
         mesh.layers.retain(|layer| !layer.semantic.is_of_poses());
         if let Some((textures, _)) = self.textures {
             let all = mesh.triangles.len() as u64;
@@ -375,7 +342,7 @@ impl Tiler<'_> {
             }
             _ => 0.0,
         };
-        let level = LevelMesh::new(mesh, &block, skirt);
+        let level = LevelMesh::new(mesh, block, skirt);
         let tiles: Vec<(Cell, Vec<u32>)> = level.tiles().into_iter().collect();
         let options = self.write_options(number);
         for some in tiles.chunks(ENCODED_TOGETHER) {
@@ -423,7 +390,7 @@ impl Tiler<'_> {
 
     fn write_options(&self, level: u32) -> WriteOptions {
         let options = WriteOptions::default().with_z_up(self.up == Up::Z).with_cache_order(true);
-        let step = Some(self.lattice.exponent + level as i32);
+        let step = Some(self.lattice.step_log2(level));
         let quantize = QuantizeOptions::default().with_step_log2(step);
         // Twelve bits are half a texel of an atlas.
         let quantize = if self.textures.is_some() { quantize.with_texcoord_bits(14) } else { quantize };

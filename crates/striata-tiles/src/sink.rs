@@ -1,9 +1,9 @@
-//! The destination of a tileset: a folder, or an archive of the format 3TZ.
+//! The destination of tiles: a folder, or an archive of the format 3TZ.
 //!
 //! Both are written next to their place and renamed when they are complete.
 
 use std::collections::BTreeSet;
-use std::fs::{self, File};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
@@ -17,13 +17,28 @@ use crate::error::TilesError;
 
 /// Last entry of an archive, by which readers find the others.
 const INDEX: &str = "@3dtilesIndex1@";
+/// Name by which outputs of this crate are known again.
+pub(crate) const GENERATOR: &str = "striata";
+/// Files that describe outputs, and where the name is in them.
+const DESCRIPTIONS: [(&str, &str); 3] = [
+    ("tileset.json", "/asset/generator"),
+    ("info", "/generator"),
+    ("zarr.json", "/attributes/striata/generator"),
+];
 /// Largest description of a tileset that is read to learn who wrote it.
 const MAX_JSON_BYTES: u64 = 64 << 20;
 
 /// Files of a tileset while it is written.
 pub(crate) enum Sink {
-    Folder { folder: TempDir, subfolders: BTreeSet<String> },
+    Folder(FolderSink),
     Archive { file: NamedTempFile, writer: Box<ZipWriter<File>> },
+}
+
+/// Files of a folder while it is written.
+#[derive(Debug)]
+pub(crate) struct FolderSink {
+    folder: TempDir,
+    subfolders: BTreeSet<String>,
 }
 
 /// Whether a path names an archive.
@@ -36,59 +51,100 @@ fn is_archive(path: &Path) -> bool {
 /// # Errors
 /// [`TilesError::Place`] with the reason.
 pub fn check_output(path: &Path) -> Result<(), TilesError> {
-    let refused = |reason| Err(TilesError::Place { path: path.to_owned(), reason });
-    let Ok(there) = fs::metadata(path) else { return Ok(()) };
-    match (is_archive(path), there.is_dir()) {
-        (true, true) => return refused("it is a folder"),
-        (true, false) => return Ok(()),
-        (false, false) => return refused("it is a file, but tiles need a folder"),
-        (false, true) => {}
+    if !is_archive(path) {
+        return check_folder(path);
     }
-    let is_empty = fs::read_dir(path).is_ok_and(|mut files| files.next().is_none());
-    if is_empty || is_ours(&path.join("tileset.json")) {
-        Ok(())
-    } else {
-        refused("it is a folder, but no tileset of striata")
+    match fs::metadata(path) {
+        Ok(there) if there.is_dir() => Err(refused(path, "it is a folder")),
+        _ => Ok(()),
     }
 }
 
-fn is_ours(path: &Path) -> bool {
+/// Checks that nothing is at the place of a folder of tiles, of any kind, but one that may be replaced.
+///
+/// # Errors
+/// [`TilesError::Place`] with the reason.
+pub fn check_folder(path: &Path) -> Result<(), TilesError> {
+    if is_archive(path) {
+        return Err(refused(path, "only 3D Tiles can be one file"));
+    }
+    let Ok(there) = fs::metadata(path) else { return Ok(()) };
+    if !there.is_dir() {
+        return Err(refused(path, "it is a file, but tiles need a folder"));
+    }
+    let is_empty = fs::read_dir(path).is_ok_and(|mut files| files.next().is_none());
+    match is_empty || DESCRIPTIONS.iter().any(|(name, place)| is_ours(&path.join(name), place)) {
+        true => Ok(()),
+        false => Err(refused(path, "it is a folder, but no tileset of striata")),
+    }
+}
+
+fn refused(path: &Path, reason: &'static str) -> TilesError {
+    TilesError::Place { path: path.to_owned(), reason }
+}
+
+fn is_ours(path: &Path, place: &str) -> bool {
     let Ok(file) = File::open(path) else { return false };
     let document: Result<Value, _> = serde_json::from_reader(io::BufReader::new(file.take(MAX_JSON_BYTES)));
-    document.is_ok_and(|document| document["asset"]["generator"] == "striata")
+    document.is_ok_and(|document| document.pointer(place).is_some_and(|name| name == GENERATOR))
+}
+
+impl FolderSink {
+    pub(crate) fn new(path: &Path) -> Result<Self, TilesError> {
+        let mut builder = temporary();
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o777));
+        let folder = builder.tempdir_in(parent_of(path));
+        let folder = folder.map_err(|source| TilesError::Io { path: path.to_owned(), source })?;
+        Ok(Self { folder, subfolders: BTreeSet::new() })
+    }
+
+    /// Creates a file, or opens the one that has been created.
+    pub(crate) fn open(&mut self, name: &str) -> io::Result<File> {
+        if let Some((subfolder, _)) = name.rsplit_once('/')
+            && !self.subfolders.contains(subfolder)
+        {
+            fs::create_dir_all(self.folder.path().join(subfolder))?;
+            self.subfolders.insert(subfolder.to_owned());
+        }
+        let path = self.folder.path().join(name);
+        OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path)
+    }
+
+    /// Gives the folder its name.
+    pub(crate) fn finish(self, path: &Path) -> io::Result<()> {
+        replace_folder(self.folder, path)
+    }
+}
+
+fn temporary() -> tempfile::Builder<'static, 'static> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".striata-").suffix(".part");
+    builder
+}
+
+fn parent_of(path: &Path) -> &Path {
+    path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 impl Sink {
     pub(crate) fn new(path: &Path) -> Result<Self, TilesError> {
-        let made = |source| TilesError::Io { path: path.to_owned(), source };
-        let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let mut builder = tempfile::Builder::new();
-        builder.prefix(".striata-").suffix(".part");
-        if is_archive(path) {
-            #[cfg(unix)]
-            builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-            let file = builder.tempfile_in(parent).map_err(made)?;
-            let writer = Box::new(ZipWriter::new(file.reopen().map_err(made)?));
-            return Ok(Self::Archive { file, writer });
+        if !is_archive(path) {
+            return FolderSink::new(path).map(Self::Folder);
         }
+        let made = |source| TilesError::Io { path: path.to_owned(), source };
+        let mut builder = temporary();
         #[cfg(unix)]
-        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o777));
-        let folder = builder.tempdir_in(parent).map_err(made)?;
-        Ok(Self::Folder { folder, subfolders: BTreeSet::new() })
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let file = builder.tempfile_in(parent_of(path)).map_err(made)?;
+        let writer = Box::new(ZipWriter::new(file.reopen().map_err(made)?));
+        Ok(Self::Archive { file, writer })
     }
 
     /// Adds a file.
     pub(crate) fn put(&mut self, name: &str, bytes: &[u8]) -> io::Result<()> {
         match self {
-            Self::Folder { folder, subfolders } => {
-                if let Some((subfolder, _)) = name.split_once('/')
-                    && !subfolders.contains(subfolder)
-                {
-                    fs::create_dir(folder.path().join(subfolder))?;
-                    subfolders.insert(subfolder.to_owned());
-                }
-                fs::write(folder.path().join(name), bytes)
-            }
+            Self::Folder(folder) => folder.open(name)?.write_all(bytes),
             Self::Archive { writer, .. } => {
                 writer.start_file(name, options(CompressionMethod::Deflated))?;
                 writer.write_all(bytes)
@@ -99,7 +155,7 @@ impl Sink {
     /// Gives the tileset its name.
     pub(crate) fn finish(self, path: &Path) -> io::Result<()> {
         match self {
-            Self::Folder { folder, .. } => replace_folder(folder, path),
+            Self::Folder(folder) => folder.finish(path),
             Self::Archive { file, writer } => {
                 writer.finish()?;
                 let index = index_of(file.reopen()?)?;
@@ -141,8 +197,7 @@ fn replace_folder(folder: TempDir, path: &Path) -> io::Result<()> {
         let _ = folder.keep();
         return Ok(());
     }
-    let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let aside = tempfile::Builder::new().prefix(".striata-").suffix(".old").tempdir_in(parent)?;
+    let aside = tempfile::Builder::new().prefix(".striata-").suffix(".old").tempdir_in(parent_of(&path))?;
     let old = aside.path().join("old");
     fs::rename(&path, &old)?;
     if let Err(error) = fs::rename(folder.path(), &path) {

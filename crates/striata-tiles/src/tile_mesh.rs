@@ -16,6 +16,8 @@ const NONE: u32 = u32::MAX;
 pub(crate) struct TileMesh {
     /// The mesh; its origin is the distance of its first lattice point from that of the lattice.
     pub mesh: IndexedMesh,
+    /// The lattice point of each vertex, in steps of the level.
+    pub points: Vec<[i64; 3]>,
 }
 
 /// A block of a level, from which tiles are cut.
@@ -103,7 +105,12 @@ impl<'a> LevelMesh<'a> {
                     polygon = between(&polygon, axis, planes);
                 }
             }
-            builder.add(triangle, &polygon);
+            if self.lattice.is_halved && self.level > 0 {
+                let middle = cell.map(|x| (x as f64 + 0.5) * side);
+                eighths(polygon, middle).iter().for_each(|part| builder.add(triangle, part));
+            } else {
+                builder.add(triangle, &polygon);
+            }
         }
         builder.add_skirts(cell);
         builder.finish()
@@ -237,7 +244,8 @@ impl TileBuilder<'_> {
             origin: first.map(|x| x as f64 * step),
             ..IndexedMesh::default()
         };
-        Some(TileMesh { mesh })
+        let points = used.iter().map(|&v| self.points[v as usize]).collect();
+        Some(TileMesh { mesh, points })
     }
 }
 
@@ -339,6 +347,23 @@ fn between(polygon: &[Corner], axis: usize, planes: [f64; 2]) -> Vec<Corner> {
         }
     }
     part
+}
+
+/// The parts of a convex polygon in the eighths of a tile. What lies in a plane belongs to the part above it.
+fn eighths(polygon: Vec<Corner>, middle: [f64; 3]) -> Vec<Vec<Corner>> {
+    let mut parts = vec![polygon];
+    for (axis, plane) in middle.into_iter().enumerate() {
+        let halves = |part: Vec<Corner>| {
+            let is_below = part.iter().any(|corner| corner.place[axis] < plane);
+            let is_above = part.iter().any(|corner| corner.place[axis] > plane);
+            if !(is_below && is_above) {
+                return vec![part];
+            }
+            [[f64::NEG_INFINITY, plane], [plane, f64::INFINITY]].map(|half| between(&part, axis, half)).into()
+        };
+        parts = parts.into_iter().flat_map(halves).collect();
+    }
+    parts
 }
 
 /// The point of an edge on a plane.

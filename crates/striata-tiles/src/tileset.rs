@@ -143,8 +143,14 @@ mod tests {
 
     #[test]
     fn many_tiles_are_listed_in_several_files() {
-        let lattice =
-            TileLattice { origin: [0.0; 3], exponent: 0, side: 16, is_divided: [true, true, false] };
+        let lattice = TileLattice {
+            origin: [0.0; 3],
+            unit: 1.0,
+            side: 16,
+            high: [0.0; 3],
+            is_divided: [true, true, false],
+            is_halved: false,
+        };
         let mut tiles = BTreeMap::new();
         for level in 0..7 {
             for x in 0..1i64 << (6 - level) {

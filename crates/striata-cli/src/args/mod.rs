@@ -25,7 +25,7 @@ pub(crate) use self::paged::{ByteSize, CellArgs, PagedArgs, PlanArgs, RunArgs};
 pub(crate) use self::render::{DrawnModel, PictureBackground, RenderArgs};
 pub(crate) use self::stream::{DecodeArgs, EncodeArgs};
 pub(crate) use self::strips::StripArgs;
-pub(crate) use self::tiles::{PageBuildArgs, TilesArgs, UpAxis};
+pub(crate) use self::tiles::{PageBuildArgs, TilesArgs, TilesFormat, UpAxis};
 
 /// The complete command line.
 #[derive(Debug, Parser)]
@@ -126,7 +126,7 @@ pub(crate) enum Verb {
     Encode(EncodeArgs),
     /// Decode a progressive stream, complete or cut off, into a mesh
     Decode(DecodeArgs),
-    /// Write 3D Tiles of a mesh of any size, for Cesium and other viewers
+    /// Write 3D Tiles, meshes for Neuroglancer, or arrays of levels (Zarr)
     Tiles(TilesArgs),
     /// Render a mesh, its levels or a view to a PNG file
     Render(Box<RenderArgs>),

@@ -11,19 +11,26 @@ use super::{ByteSize, CellArgs};
 #[command(
     override_usage = "striata tiles [OPTIONS] <INPUT>... -o <FOLDER|OUT.3tz>",
     after_help = "Examples:\n  \
-    striata tiles city.striata -o city-tiles --meshopt\n  \
-    striata tiles N35E138.hgt N35E139.hgt -o fuji.3tz --draco --skirts"
+    striata tiles N35E138.hgt N35E139.hgt -o fuji.3tz --draco --skirts\n  \
+    striata tiles neurons/ -o meshes --format neuroglancer --sharded"
 )]
 pub(crate) struct TilesArgs {
-    /// Paged file, or meshes or rasters that are one mesh: these are built into a temporary paged file first
+    /// Paged file, or meshes or rasters that are one mesh: these are built into a temporary paged file first; for
+    /// neuroglancer also a folder with a mesh ID.ply, ID.obj, ... for each segment
     #[arg(required = true)]
     pub inputs: Vec<PathBuf>,
-    /// Folder to write tileset.json and the tiles to, or one file if it ends in .3tz; a tileset that is there is replaced
+    /// Folder to write the tiles to, or one file if it ends in .3tz (3D Tiles); tiles that are there are replaced
     #[arg(short, long, value_name = "FOLDER|OUT.3tz")]
     pub output: PathBuf,
-    /// Triangles per tile, about
-    #[arg(long, value_name = "N", default_value_t = 16_384, value_parser = clap::value_parser!(u64).range(100..=1_000_000))]
-    pub tile_triangles: u64,
+    /// Format: 3D Tiles 1.1, meshes of Neuroglancer (neuroglancer_multilod_draco), or arrays in refinement order (Zarr v3)
+    #[arg(long, value_name = "FORMAT", default_value = "3dtiles")]
+    pub format: TilesFormat,
+    /// Options of meshes for Neuroglancer.
+    #[command(flatten)]
+    pub neuroglancer: NeuroglancerArgs,
+    /// Triangles per tile or fragment, about [default: 16384]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(100..=1_000_000))]
+    pub tile_triangles: Option<u64>,
     /// Store integers of 16 bits (KHR_mesh_quantization) instead of floats
     #[arg(long, conflicts_with_all = ["meshopt", "draco"])]
     pub quantize: bool,
@@ -39,9 +46,9 @@ pub(crate) struct TilesArgs {
     /// Leave out textures; texture coordinates stay
     #[arg(long, conflicts_with = "texture_quality")]
     pub no_textures: bool,
-    /// Quality of the JPEG images of textures, from 1 to 100
-    #[arg(long, value_name = "N", default_value_t = 90, value_parser = clap::value_parser!(u8).range(1..=100))]
-    pub texture_quality: u8,
+    /// Quality of the JPEG images of textures, from 1 to 100 [default: 90]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=100))]
+    pub texture_quality: Option<u8>,
     /// Add vertical strips below the borders of the tiles of a terrain
     #[arg(long)]
     pub skirts: bool,
@@ -56,6 +63,42 @@ pub(crate) struct TilesArgs {
     pub build: PageBuildArgs,
 }
 
+/// Options of meshes for Neuroglancer.
+#[derive(Debug, Args)]
+pub(crate) struct NeuroglancerArgs {
+    /// Number of the segment that the input becomes [default: 1]
+    #[arg(long, value_name = "ID")]
+    pub segment_id: Option<u64>,
+    /// Bits per coordinate of a vertex in its fragment: 10 or 16 [default: 16]
+    #[arg(long, value_name = "BITS", value_parser = ["10", "16"], hide_possible_values = true)]
+    pub bits: Option<String>,
+    /// Write all segments into a few files (neuroglancer_uint64_sharded_v1)
+    #[arg(long)]
+    pub sharded: bool,
+}
+
+impl NeuroglancerArgs {
+    /// Returns the first flag that the user gave.
+    pub(crate) fn first_given_flag(&self) -> Option<&'static str> {
+        let Self { segment_id, bits, sharded } = self;
+        let flags =
+            [("--segment-id", segment_id.is_some()), ("--bits", bits.is_some()), ("--sharded", *sharded)];
+        flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag)
+    }
+}
+
+/// Format of tiles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TilesFormat {
+    /// 3D Tiles 1.1
+    #[value(name = "3dtiles")]
+    Tiles3d,
+    /// Meshes of Neuroglancer
+    Neuroglancer,
+    /// Arrays in refinement order
+    Zarr,
+}
+
 /// How a paged file is built that only this verb reads.
 #[derive(Debug, Args)]
 pub(crate) struct PageBuildArgs {
@@ -68,6 +111,33 @@ pub(crate) struct PageBuildArgs {
     /// How cells and positions are chosen.
     #[command(flatten)]
     pub cells: CellArgs,
+}
+
+impl PageBuildArgs {
+    /// Returns the first flag that the user gave.
+    pub(crate) fn first_given_flag(&self) -> Option<&'static str> {
+        let flags = [("--memory", self.memory.is_some()), ("--threads", self.threads.is_some())];
+        let first = flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag);
+        first.or_else(|| self.cells.first_given_flag())
+    }
+}
+
+impl TilesArgs {
+    /// Returns the first flag that the user gave and that only 3D Tiles have.
+    pub(crate) fn first_flag_of_3d_tiles(&self) -> Option<&'static str> {
+        let flags = [
+            ("--quantize", self.quantize),
+            ("--meshopt", self.meshopt),
+            ("--draco", self.draco),
+            ("--raw", self.raw),
+            ("--no-textures", self.no_textures),
+            ("--texture-quality", self.texture_quality.is_some()),
+            ("--skirts", self.skirts),
+            ("--local", self.local),
+            ("--up", self.up.is_some()),
+        ];
+        flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag)
+    }
 }
 
 /// Axis that is up.

@@ -114,9 +114,9 @@ pub(crate) fn run(args: &StripArgs, levels: &[Level], output: &Output) -> Result
 ///
 /// # Errors
 /// If the file is damaged or has no collapses, or the mesh is inconsistent.
-fn refinable(input: &Input, bar: &mut Bar, output: &Output) -> Result<RefinableMesh, Failure> {
+pub(super) fn refinable(input: &Input, bar: &mut Bar, output: &Output) -> Result<RefinableMesh, Failure> {
     let no_collapses = || {
-        Failure::user(format!("{}: this file has no collapses, which --levels needs", input.name))
+        Failure::user(format!("{}: this file has no collapses, from which levels are made", input.name))
             .with_hint("build the file again without --retriangulation free")
     };
     if input.has_levels() {

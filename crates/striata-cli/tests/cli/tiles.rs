@@ -139,3 +139,114 @@ fn what_cannot_be_done_is_refused_by_name() {
     }
     assert!(bench.path("mine/file").exists());
 }
+
+fn info(bench: &Workbench, folder: &str) -> Value {
+    serde_json::from_slice(&fs::read(bench.path(&format!("{folder}/info"))).unwrap()).unwrap()
+}
+
+#[test]
+fn an_input_becomes_a_segment_of_neuroglancer() {
+    let bench = Workbench::new();
+    bench.run("build shape:terrain:60 -o t.striata --paged").success();
+    let report =
+        bench.json("tiles t.striata -o meshes --format neuroglancer --tile-triangles 1000 --segment-id 42");
+    assert_eq!((&report["segments"], report["levels"].as_array().unwrap().len() > 1), (&1.into(), true));
+    assert_eq!(bench.names(), ["meshes", "t.striata"]);
+    let written = info(&bench, "meshes");
+    assert_eq!(written["@type"], "neuroglancer_multilod_draco");
+    assert_eq!((&written["vertex_quantization_bits"], written.get("sharding")), (&16.into(), None));
+    let bytes = |name: &str| fs::read(bench.path(&format!("meshes/{name}"))).unwrap().len() as u64;
+    assert_eq!(report["bytes"], bytes("42") + bytes("42.index"));
+    let small = bench.json("tiles t.striata -o meshes --format neuroglancer --bits 10 --sharded");
+    assert!(small["bytes"].as_u64() < report["bytes"].as_u64());
+    let written = info(&bench, "meshes");
+    assert_eq!(written["vertex_quantization_bits"], 10);
+    assert_eq!(written["sharding"]["@type"], "neuroglancer_uint64_sharded_v1");
+    assert!(bench.path("meshes/0.shard").exists() && !bench.path("meshes/42").exists());
+    // Tiles of another format may be replaced.
+    bench.json("tiles t.striata -o meshes");
+    assert!(!bench.path("meshes/info").exists());
+}
+
+#[test]
+fn meshes_of_a_folder_become_segments() {
+    let bench = Workbench::new();
+    fs::create_dir(bench.path("cells")).unwrap();
+    for (name, shape) in [("7.ply", "cube"), ("18446744073709551615.obj", "torus"), ("12.stl", "tetrahedron")]
+    {
+        bench.run(&format!("convert shape:{shape} cells/{name}")).success();
+    }
+    fs::write(bench.path("cells/notes.txt"), "mine").unwrap();
+    let run = bench.run("tiles cells -o meshes --format neuroglancer").success();
+    let said = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
+    assert!(said.contains("left out: cells/notes.txt"), "{said}");
+    for name in ["7", "12.index", "18446744073709551615"] {
+        assert!(bench.path(&format!("meshes/{name}")).exists(), "{name}");
+    }
+    let properties: Value =
+        serde_json::from_slice(&fs::read(bench.path("meshes/segment_properties/info")).unwrap()).unwrap();
+    assert_eq!(properties["inline"]["ids"], serde_json::json!(["7", "12", "18446744073709551615"]));
+    let refused = bench.refused("tiles cells -o meshes --format neuroglancer --segment-id 3");
+    assert!(refused.contains("--segment-id has no effect on a folder"), "{refused}");
+    bench.run("convert shape:cube cells/007.glb").success();
+    let refused = bench.refused("tiles cells -o other --format neuroglancer");
+    assert!(refused.contains("cells/007.glb and cells/7.ply are both segment 7"), "{refused}");
+    fs::rename(bench.path("cells/007.glb"), bench.path("cells/seven.glb")).unwrap();
+    let refused = bench.refused("tiles cells -o other --format neuroglancer");
+    assert!(refused.contains("seven.glb: the name is not the number of a segment"), "{refused}");
+    assert_eq!(bench.names(), ["cells", "meshes"]);
+}
+
+#[test]
+fn flags_of_another_format_are_refused() {
+    let bench = Workbench::new();
+    fs::create_dir(bench.path("empty")).unwrap();
+    for (arguments, expected) in [
+        ("--format neuroglancer --meshopt", "--meshopt has no effect on meshes of Neuroglancer"),
+        ("--format neuroglancer --texture-quality 90", "--texture-quality has no effect"),
+        ("--format neuroglancer --up z", "--up has no effect"),
+        ("--format neuroglancer --bits 12", "invalid value '12'"),
+        ("--format stars", "invalid value 'stars'"),
+        ("--bits 10", "--bits has no effect on 3D Tiles"),
+        ("--sharded", "--sharded has no effect on 3D Tiles"),
+        ("--format zarr --bits 10", "--bits has no effect on Zarr stores"),
+        ("--format zarr --draco", "--draco has no effect on Zarr stores"),
+        ("--format zarr --tile-triangles 1000", "--tile-triangles has no effect"),
+        ("--format zarr --exact", "--exact has no effect"),
+        ("--format zarr shape:cube", "a Zarr store has one input"),
+    ] {
+        let text = bench.refused(&format!("tiles shape:torus -o out {arguments}"));
+        assert!(text.contains(expected), "{arguments}: {text}");
+    }
+    let text = bench.refused("tiles empty -o out --format neuroglancer");
+    assert!(text.contains("there are no meshes in this folder"), "{text}");
+    assert_eq!(bench.names(), ["empty"]);
+}
+
+#[test]
+fn an_input_becomes_a_zarr_store() {
+    let bench = Workbench::new();
+    let report = bench.json("tiles shape:torus -o direct.zarr --format zarr");
+    let levels = report["levels"].as_array().unwrap();
+    assert!(levels.len() > 3 && levels[0]["error"] == 0.0, "{report}");
+    assert_eq!(levels[0]["vertices"], report["vertices"]);
+    bench.run("build shape:torus -o t.striata --certify").success();
+    let certified = bench.json("tiles t.striata -o t.zarr --format zarr");
+    assert_eq!(certified["level_count"], report["level_count"]);
+    let root: Value = serde_json::from_slice(&fs::read(bench.path("t.zarr/zarr.json")).unwrap()).unwrap();
+    let described = &root["attributes"]["striata"];
+    assert_eq!((&described["guaranteed_errors"], &described["version"]), (&true.into(), &1.into()));
+    assert_eq!((&root["node_type"], &root["zarr_format"]), (&"group".into(), &3.into()));
+    for path in certified["arrays"].as_array().unwrap() {
+        let node = format!("t.zarr/{}/zarr.json", path.as_str().unwrap());
+        assert!(bench.path(&node).exists(), "{node}");
+    }
+    // All levels of a paged file.
+    bench.run("build shape:terrain:60 -o p.striata --paged").success();
+    let paged = bench.json("tiles p.striata -o direct.zarr --format zarr");
+    assert_eq!(paged["vertices"], 3600);
+    std::fs::copy(crate::workbench::asset("arm.glb"), bench.path("arm.glb")).unwrap();
+    let arm = bench.json("tiles arm.glb -o arm.zarr --format zarr");
+    assert!(arm["left_out"].to_string().contains("left out: the materials"), "{arm}");
+    assert_eq!(bench.names(), ["arm.glb", "arm.zarr", "direct.zarr", "p.striata", "t.striata", "t.zarr"]);
+}

@@ -99,6 +99,8 @@ pub use extensions::{ExtensionUse, extension_use, known_extensions};
 pub(crate) use files::GltfContainer;
 pub(crate) use georeference::{add_georeference, georeference_in, is_terrain, place_node};
 pub(crate) use importance::usable as usable_importance;
+#[cfg(feature = "draco")]
+pub use passes::encode_draco;
 pub(crate) use references::{entries, has_triangles, is_blended};
 pub(crate) use semantics::target_of;
 pub(crate) use shading::is_added;

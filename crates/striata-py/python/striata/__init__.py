@@ -26,6 +26,7 @@ from ._stream import StreamDecoder, decode, encode
 from ._striata import DecodeError, __version__
 from ._strip_level import StripLevel
 from ._strips import RESTART, Strips, strip
+from ._tiles import tiles
 from ._view import View
 from ._viewer import page, view
 from ._warn import ReadWarning
@@ -70,5 +71,6 @@ __all__ = [
     "shapes",
     "simplify",
     "strip",
+    "tiles",
     "view",
 ]

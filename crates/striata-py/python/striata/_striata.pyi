@@ -42,6 +42,7 @@ __all__ = [
     "write_bytes",
     "write_mesh",
     "write_scene",
+    "write_tiles",
 ]
 
 __version__: str
@@ -207,6 +208,7 @@ def write_scene(path: _Path, scene: SceneData, options: dict[str, bool]) -> list
 def write_bytes(path: _Path, bytes: bytes) -> None: ...
 def format_of(path: _Path) -> str | None: ...
 def viewer_page(name: str, stream: bytes) -> str: ...
+def write_tiles(path: _Path, output: _Path, options: dict[str, Any], progress: _Progress) -> str: ...
 
 @final
 class PagedLodData:

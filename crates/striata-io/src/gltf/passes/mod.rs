@@ -32,6 +32,8 @@ use crate::WriteOptions;
 use crate::error::Refusal;
 use crate::report::Warnings;
 use draco::draco;
+#[cfg(feature = "draco")]
+pub use draco::encode_draco;
 use gather::gather;
 use meshopt::meshopt;
 pub(crate) use parts::{GltfParts, WrittenArray};

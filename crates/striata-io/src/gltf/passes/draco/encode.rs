@@ -7,6 +7,7 @@ use draco_core::{
 use serde_json::{Map, Value, json};
 
 use crate::QuantizeOptions;
+use crate::error::WriteError;
 use crate::gltf::accessor::accessor;
 use crate::gltf::component_type::GltfComponentType;
 use crate::gltf::compression::contained;
@@ -179,11 +180,56 @@ fn encode(
         let point_count = mesh.num_points();
         extend_range(mesh.attribute_mut(id), point_count, corners).map_err(|error| error.to_string())?;
     }
+    described(bytes_of(mesh, &options)?, triangles, sources, &ids)
+}
+
+fn bytes_of(mesh: Mesh, options: &EncoderOptions) -> Result<Vec<u8>, String> {
     let (mut encoder, mut out) = (MeshEncoder::new(), EncoderBuffer::new());
     encoder.set_mesh(mesh);
-    encoder.encode(&options, &mut out).map_err(|error| error.to_string())?;
-    let bytes = out.data().to_vec();
-    described(bytes, triangles, sources, &ids)
+    encoder.encode(options, &mut out).map_err(|error| error.to_string())?;
+    Ok(out.data().to_vec())
+}
+
+/// Encodes integer positions and triangles as a Draco mesh by itself, without a container. Positions are kept exactly.
+/// The decoded vertices have another order, and a vertex where parts of the surface only touch may be repeated.
+///
+/// # Errors
+/// [`WriteError::BadMesh`] if a triangle has two equal corners or one that does not exist, or if Draco cannot encode
+/// the mesh.
+pub fn encode_draco(positions: &[[i32; 3]], triangles: &[[u32; 3]]) -> Result<Vec<u8>, WriteError> {
+    contained(|| encode_integers(positions, triangles))
+        .map_err(|reason| WriteError::BadMesh { file: "Draco".to_owned(), reason })
+}
+
+fn encode_integers(positions: &[[i32; 3]], triangles: &[[u32; 3]]) -> Result<Vec<u8>, String> {
+    let position = |v: u32| positions.get(v as usize).ok_or_else(|| format!("vertex {v} does not exist"));
+    for (number, corners) in triangles.iter().enumerate() {
+        let [a, b, c] = [position(corners[0])?, position(corners[1])?, position(corners[2])?];
+        if a == b || b == c || c == a {
+            return Err(format!("triangle {number} has two corners at the same place"));
+        }
+    }
+    let mut attribute = PointAttribute::new();
+    attribute
+        .try_init(GeometryAttributeType::Position, 3, DataType::Int32, false, positions.len())
+        .map_err(|error| error.to_string())?;
+    let bytes: Vec<u8> = positions.as_flattened().iter().flat_map(|x| x.to_le_bytes()).collect();
+    attribute.buffer_mut().write(0, &bytes);
+    let mut mesh = Mesh::new();
+    mesh.set_num_points(positions.len());
+    mesh.add_attribute(attribute);
+    for triangle in triangles {
+        mesh.add_face(triangle.map(PointIndex));
+    }
+    mesh.finalize().map_err(|error| error.to_string())?;
+    let mut options = EncoderOptions::new();
+    options.set_compression_level(LEVEL);
+    let bytes = bytes_of(mesh, &options)?;
+    let triangle_count = draco_mesh::decode(&bytes, u64::MAX)?.num_faces();
+    match triangle_count == triangles.len() {
+        true => Ok(bytes),
+        false => Err(format!("{triangle_count} of {} triangles are left", triangles.len())),
+    }
 }
 
 /// Adds values that no point has. Draco quantizes values in the range of all of them, and takes no other one.
@@ -287,4 +333,35 @@ fn bits(source: &VertexAttribute<'_>, quantization: &QuantizeOptions) -> Option<
         _ => return None,
     };
     (source.elements.component == GltfComponentType::F32).then_some(bits.clamp(1, 30))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn integers_are_kept_exactly() {
+        let points = [[0, 0, 65_535], [7, -1, 0], [1 << 30, 2, 2], [0, 9, 0]];
+        let triangles = [[0, 1, 2], [2, 1, 3]];
+        let mesh = draco_mesh::decode(&encode_draco(&points, &triangles).expect("a mesh"), u64::MAX);
+        let mesh = mesh.expect("what was encoded can be decoded");
+        let values =
+            draco_mesh::values_of_points(mesh.attribute(0), mesh.num_points(), 12).expect("positions");
+        let number = |bytes: &[u8; 4]| i32::from_le_bytes(*bytes);
+        let mut decoded: Vec<i32> = values.as_chunks::<4>().0.iter().map(number).collect();
+        let mut expected = points.as_flattened().to_vec();
+        decoded.sort_unstable();
+        expected.sort_unstable();
+        assert_eq!(decoded, expected);
+    }
+
+    #[test]
+    fn triangles_without_an_area_are_refused() {
+        for (triangle, reason) in
+            [([0, 1, 5], "vertex 5 does not exist"), ([0, 1, 2], "two corners at the same place")]
+        {
+            let refused = encode_draco(&[[0; 3], [1; 3], [0; 3]], &[triangle]).expect_err("a bad triangle");
+            assert!(refused.to_string().contains(reason), "{refused}");
+        }
+    }
 }

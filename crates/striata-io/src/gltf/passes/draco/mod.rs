@@ -13,6 +13,9 @@
 #[cfg(feature = "draco")]
 mod encode;
 
+#[cfg(feature = "draco")]
+pub use encode::encode_draco;
+
 use super::parts::GltfParts;
 use crate::QuantizeOptions;
 use crate::report::Warnings;

@@ -1,4 +1,8 @@
-//! `tiles`: 3D Tiles of a paged file, or of any input, which is built into one first.
+//! `tiles`: 3D Tiles, or meshes for Neuroglancer, of a paged file, or of any input, which is built into one first; or
+//! arrays in refinement order of a mesh.
+
+mod neuroglancer;
+mod zarr;
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -9,11 +13,13 @@ use striata_command::input::Input;
 use striata_command::output::{Output, Table, format_bytes, format_count, format_duration, format_length};
 use striata_io::WriteOptions;
 use striata_paged::PagedFile;
-use striata_tiles::{TileFormat, TilesError, TilesOptions, TilesReport, Up, check_output, write_tiles};
+use striata_tiles::{
+    TileFormat, TileLevel, TilesError, TilesOptions, TilesReport, Up, check_output, write_tiles,
+};
 use tempfile::TempDir;
 
 use super::paged;
-use crate::args::{TilesArgs, UpAxis};
+use crate::args::{TilesArgs, TilesFormat, UpAxis};
 
 /// Vertices of pages in memory, unless `--memory` allows fewer.
 const MAX_VERTICES: u64 = 4_000_000;
@@ -30,18 +36,36 @@ struct WrittenTileset<'a> {
     tileset: TilesReport,
 }
 
-/// Writes a tileset.
+/// Writes tiles.
 ///
 /// # Errors
 /// If the input cannot be read or built, or the output cannot be written.
 pub(crate) fn run(args: &TilesArgs, output: &Output) -> Result<(), Failure> {
+    let (flag, format) = match args.format {
+        TilesFormat::Tiles3d => (args.neuroglancer.first_given_flag(), "3D Tiles"),
+        TilesFormat::Neuroglancer => (args.first_flag_of_3d_tiles(), "meshes of Neuroglancer"),
+        TilesFormat::Zarr => {
+            let of_tiles = args.first_flag_of_3d_tiles().or(args.neuroglancer.first_given_flag());
+            let of_tiles = of_tiles.or(args.tile_triangles.map(|_| "--tile-triangles"));
+            (of_tiles.or(args.build.first_given_flag()), "Zarr stores")
+        }
+    };
+    if let Some(flag) = flag {
+        let message = format!("{flag} has no effect on {format}");
+        return Err(Failure::usage(message).with_hint(format!("remove {flag}, or choose another --format")));
+    }
+    match args.format {
+        TilesFormat::Tiles3d => write_tileset(args, output),
+        TilesFormat::Neuroglancer => neuroglancer::run(args, output),
+        TilesFormat::Zarr => zarr::run(args, output),
+    }
+}
+
+fn write_tileset(args: &TilesArgs, output: &Output) -> Result<(), Failure> {
     let start = Instant::now();
     // Reported before hours of work, not after them.
     check_output(&args.output).map_err(failure)?;
-    let (pages, _work) = pages_of(args, output)?;
-    let memory = args.build.memory.map_or(u64::MAX, |size| size.0 / 4 / VERTEX_BYTES);
-    let file = PagedFile::open(&pages.to_string_lossy()).map_err(paged::failure_of)?;
-    let mut file = file.with_max_vertices(memory.min(MAX_VERTICES));
+    let (mut file, _work) = opened(&args.inputs, args, output)?;
     let mut bar = output.bar();
     let options = options_of(args);
     let tileset = write_tiles(&mut file, &args.output, &options, &mut |p| bar.show(p)).map_err(failure)?;
@@ -58,7 +82,7 @@ pub(crate) fn run(args: &TilesArgs, output: &Output) -> Result<(), Failure> {
 
 fn options_of(args: &TilesArgs) -> TilesOptions {
     let mut options = TilesOptions::default();
-    options.tile_triangles = args.tile_triangles;
+    options.tile_triangles = args.tile_triangles.unwrap_or(options.tile_triangles);
     options.format = match (args.quantize, args.meshopt, args.draco) {
         (_, _, true) => TileFormat::Draco,
         (_, true, _) => TileFormat::Meshopt,
@@ -69,14 +93,30 @@ fn options_of(args: &TilesArgs) -> TilesOptions {
         UpAxis::Y => Up::Y,
         UpAxis::Z => Up::Z,
     });
-    (options.has_textures, options.texture_quality) = (!args.no_textures, args.texture_quality);
+    options.has_textures = !args.no_textures;
+    options.texture_quality = args.texture_quality.unwrap_or(options.texture_quality);
     (options.is_local, options.has_skirts, options.shading) = (args.local, args.skirts, !args.raw);
     options
 }
 
-/// The paged file of the input, and the folder that it is in if it is a temporary one.
-fn pages_of(args: &TilesArgs, output: &Output) -> Result<(PathBuf, Option<TempDir>), Failure> {
-    if let [path] = &args.inputs[..]
+/// The paged file of some inputs, and the folder that it is in if it is a temporary one.
+fn opened(
+    inputs: &[PathBuf],
+    args: &TilesArgs,
+    output: &Output,
+) -> Result<(PagedFile, Option<TempDir>), Failure> {
+    let (pages, work) = pages_of(inputs, args, output)?;
+    let memory = args.build.memory.map_or(u64::MAX, |size| size.0 / 4 / VERTEX_BYTES);
+    let file = PagedFile::open(&pages.to_string_lossy()).map_err(paged::failure_of)?;
+    Ok((file.with_max_vertices(memory.min(MAX_VERTICES)), work))
+}
+
+fn pages_of(
+    inputs: &[PathBuf],
+    args: &TilesArgs,
+    output: &Output,
+) -> Result<(PathBuf, Option<TempDir>), Failure> {
+    if let [path] = inputs
         && paged::is_paged_file(path)
     {
         let flag = args.build.cells.first_given_flag().or_else(|| args.build.threads.map(|_| "--threads"));
@@ -88,7 +128,7 @@ fn pages_of(args: &TilesArgs, output: &Output) -> Result<(PathBuf, Option<TempDi
     let mut builder = tempfile::Builder::new();
     let work = builder.prefix(".striata-").suffix(".work").tempdir_in(parent.unwrap_or(Path::new(".")));
     let work = work.map_err(|error| Failure::user(format!("{}: {error}", args.output.display())))?;
-    let mut inputs = args.inputs.clone();
+    let mut inputs = inputs.to_vec();
     if let [path] = &mut inputs[..]
         && is_read_at_once(path)
     {
@@ -112,16 +152,7 @@ fn is_read_at_once(path: &Path) -> bool {
 
 fn text_of(report: &WrittenTileset<'_>) -> String {
     let tileset = &report.tileset;
-    let mut table = Table::with_head(&["level", "tiles", "triangles", "bytes", "error"]);
-    for (number, level) in tileset.levels.iter().enumerate().rev() {
-        table.row(vec![
-            number.to_string(),
-            format_count(level.tiles as usize),
-            format_count(level.triangles as usize),
-            format_bytes(level.bytes as usize),
-            format_length(level.error),
-        ]);
-    }
+    let table = table_of(&tileset.levels, "tiles");
     let place = match tileset.epsg {
         Some(epsg) => format!("on the Earth (EPSG:{epsg})"),
         None => "in the coordinates of the input".to_owned(),
@@ -142,6 +173,20 @@ fn text_of(report: &WrittenTileset<'_>) -> String {
         format_duration(report.seconds),
         table.to_text(),
     )
+}
+
+fn table_of(levels: &[TileLevel], tiles: &str) -> Table {
+    let mut table = Table::with_head(&["level", tiles, "triangles", "bytes", "error"]);
+    for (number, level) in levels.iter().enumerate().rev() {
+        table.row(vec![
+            number.to_string(),
+            format_count(level.tiles as usize),
+            format_count(level.triangles as usize),
+            format_bytes(level.bytes as usize),
+            format_length(level.error),
+        ]);
+    }
+    table
 }
 
 fn failure(error: TilesError) -> Failure {
