@@ -8,7 +8,7 @@ use striata_io::{Format, Scene, SceneParts, SceneWriter, WriteError, WriteOption
 
 use crate::document::{array, extension_slot, has_triangles, use_extension};
 
-/// What an extended file has for a primitive.
+/// A primitive of an extended file.
 pub(crate) struct ExtendedPrimitive<'m> {
     /// Triangles of the primitive, of which the first are shown.
     pub triangles: Cow<'m, [[u32; 3]]>,

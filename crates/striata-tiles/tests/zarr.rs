@@ -52,7 +52,7 @@ fn integers(store: &Path, path: &str, count: u64) -> Vec<u32> {
     bytes.as_chunks::<4>().0.iter().map(|word| u32::from_le_bytes(*word)).collect()
 }
 
-/// Triangles of the level with so many vertices.
+/// Triangles of the level with a number of vertices.
 fn level(store: &Path, vertices: u64) -> Vec<[u32; 3]> {
     let root = json(&store.join("zarr.json"));
     let levels = root["attributes"]["striata"]["levels"].as_array().unwrap();

@@ -65,7 +65,7 @@ def tiles(
     Returns
     -------
     dict
-        Numbers of what was written, as ``striata tiles --json`` prints them. What was left out is a warning, too.
+        Numbers of what was written, as ``striata tiles --json`` prints them. Data that are left out are named in a warning.
 
     Raises
     ------

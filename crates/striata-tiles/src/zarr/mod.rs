@@ -58,7 +58,7 @@ pub struct ZarrLevel {
 }
 
 /// A group while it is written.
-struct Store {
+struct ArrayStore {
     sink: FolderSink,
     arrays: Vec<String>,
 }
@@ -78,7 +78,7 @@ pub fn write_zarr(
         return Err(TilesError::Empty { name: output.display().to_string() });
     }
     let failed = |source| TilesError::Io { path: output.to_owned(), source };
-    let mut store = Store { sink: FolderSink::new(output)?, arrays: Vec::new() };
+    let mut store = ArrayStore { sink: FolderSink::new(output)?, arrays: Vec::new() };
     store.put_vertices(refinable).map_err(failed)?;
     let sequence = &refinable.sequence;
     let splits = stored_splits(sequence);
@@ -123,7 +123,7 @@ fn stored_splits(sequence: &CollapseSequence) -> Vec<usize> {
     splits
 }
 
-impl Store {
+impl ArrayStore {
     fn put_group(&mut self, path: &str, attributes: Value) -> io::Result<()> {
         let node = json!({ "zarr_format": 3, "node_type": "group", "attributes": attributes });
         let name = if path.is_empty() { "zarr.json".to_owned() } else { format!("{path}/zarr.json") };

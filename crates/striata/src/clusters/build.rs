@@ -3,12 +3,12 @@
 use super::bounds::enclosing;
 use super::divide::Division;
 use super::grouping::SharedPositions;
-use super::measure::{GroupSurface, Removed, keep_farthest};
+use super::measure::{GroupSurface, RemovedVertex, keep_farthest};
 use super::{Cluster, ClusterDag, ClusterGroup, ClusterOptions};
 use crate::mesh::{Appearance, IndexedMesh, Material, PositionIndex, TriangleGroup, Welded, is_proper, weld};
 use crate::parallel::map;
 use crate::simplify::{
-    Patch, SequenceOptions, SimplifiedPatch, SimplifyError, Witness, is_scan, locked_positions,
+    CarriedWitness, LockedPatch, SequenceOptions, SimplifiedPatch, SimplifyError, is_scan, locked_positions,
 };
 use crate::view::Sphere;
 use crate::{Progress, ProgressFn};
@@ -29,7 +29,7 @@ struct OpenCluster {
     refines: Option<usize>,
     sphere: Sphere,
     /// Vertices whose nearest triangles it has.
-    removed: Vec<Removed>,
+    removed: Vec<RemovedVertex>,
 }
 
 /// Result of simplifying a group.
@@ -172,9 +172,13 @@ impl<'a> Builder<'a> {
         let cut_out = CutOut::new(&self.welded, clusters());
         let count = cut_out.welded.mesh.triangle_count();
         let removed = cut_out.removed(clusters());
-        let witnesses: Vec<Witness> = removed
+        let witnesses: Vec<CarriedWitness> = removed
             .chunk_by(|a, b| a.position == b.position)
-            .map(|run| Witness { position: run[0].position, place: run[0].place, distance: run[0].distance })
+            .map(|run| CarriedWitness {
+                position: run[0].position,
+                place: run[0].place,
+                distance: run[0].distance,
+            })
             .collect();
         let local = 0..cut_out.positions.len() as u32;
         let locked = local.filter(|&p| is_border[cut_out.positions[p as usize] as usize]);
@@ -184,7 +188,7 @@ impl<'a> Builder<'a> {
             ..self.sequence.clone()
         };
         let error_of = |c: &OpenCluster| c.refines.map_or(0.0, |finer| self.dag.groups[finer].error);
-        let patch = Patch {
+        let patch = LockedPatch {
             welded: &cut_out.welded,
             diagonal: self.diagonal,
             is_scan: self.is_scan,
@@ -210,7 +214,7 @@ impl<'a> Builder<'a> {
         let (error, measured) = cut_out.measure(&result, removed);
         for (triangle, removed) in measured {
             let position = cut_out.positions[removed.position as usize];
-            made[cluster_of[triangle]].removed.push(Removed { position, ..removed });
+            made[cluster_of[triangle]].removed.push(RemovedVertex { position, ..removed });
         }
         made.iter_mut().for_each(|cluster| keep_farthest(&mut cluster.removed));
         Ok(Some(SimplifiedGroup { clusters: made, error }))
@@ -320,10 +324,11 @@ impl CutOut {
     }
 
     /// The removed vertices of clusters, with positions of this mesh, by position and falling distance.
-    fn removed<'a>(&self, clusters: impl Iterator<Item = &'a OpenCluster>) -> Vec<Removed> {
+    fn removed<'a>(&self, clusters: impl Iterator<Item = &'a OpenCluster>) -> Vec<RemovedVertex> {
         let local = |p: u32| self.positions.binary_search(&p).unwrap_or_default() as u32;
         let all = clusters.flat_map(|c| &c.removed);
-        let mut removed: Vec<Removed> = all.map(|r| Removed { position: local(r.position), ..*r }).collect();
+        let mut removed: Vec<RemovedVertex> =
+            all.map(|r| RemovedVertex { position: local(r.position), ..*r }).collect();
         keep_farthest(&mut removed);
         removed
     }
@@ -341,7 +346,11 @@ impl CutOut {
 
     /// Measures the vertices that have been removed now or, as in the list, before. Returns the largest distance, at
     /// least the error of the result, and the vertices with the triangles that they are near to.
-    fn measure(&self, result: &SimplifiedPatch, before: Vec<Removed>) -> (f32, Vec<(usize, Removed)>) {
+    fn measure(
+        &self,
+        result: &SimplifiedPatch,
+        before: Vec<RemovedVertex>,
+    ) -> (f32, Vec<(usize, RemovedVertex)>) {
         let (mesh, positions) = (&self.welded.mesh, &self.welded.positions);
         let target = |p: u32| positions.position_of(result.targets[positions.first_vertex(p) as usize]);
         let moved = |t: &[u32; 3]| t.map(|v| positions.position_of(result.targets[v as usize]));
@@ -351,8 +360,9 @@ impl CutOut {
         let mut surface = GroupSurface::new(&triangles, &places, result.error);
         let is_removed = |p: &u32| target(*p) != *p;
         let now = (0..places.len() as u32).filter(is_removed);
-        let now = now.map(|position| Removed { position, place: places[position as usize], distance: 0.0 });
-        let near_target = |r: Removed| Removed { position: target(r.position), ..r };
+        let now =
+            now.map(|position| RemovedVertex { position, place: places[position as usize], distance: 0.0 });
+        let near_target = |r: RemovedVertex| RemovedVertex { position: target(r.position), ..r };
         let measured = now.chain(before).filter_map(|r| surface.measure(near_target(r))).collect();
         (surface.error, measured)
     }

@@ -11,7 +11,7 @@ const SEARCHED_CLUSTERS: usize = 16;
 /// Triangles that are divided, and the clusters so far.
 pub(super) struct Division<'a> {
     triangles: &'a [[u32; 3]],
-    boxes: Vec<Extent>,
+    boxes: Vec<TriangleBox>,
     max_triangles: usize,
     max_vertices: usize,
     clusters: Vec<Vec<u32>>,
@@ -21,12 +21,12 @@ pub(super) struct Division<'a> {
 
 /// Box around triangles.
 #[derive(Clone, Copy)]
-struct Extent {
+struct TriangleBox {
     min: Vec3A,
     max: Vec3A,
 }
 
-impl Extent {
+impl TriangleBox {
     const EMPTY: Self = Self { min: Vec3A::INFINITY, max: Vec3A::NEG_INFINITY };
 
     fn add(&mut self, other: &Self) {
@@ -50,7 +50,7 @@ impl<'a> Division<'a> {
         let ClusterOptions { max_triangles, max_vertices, .. } = *options;
         let extent = |t: &[u32; 3]| {
             let [a, b, c] = t.map(|v| Vec3A::from(mesh.positions[v as usize]));
-            Extent { min: a.min(b).min(c), max: a.max(b).max(c) }
+            TriangleBox { min: a.min(b).min(c), max: a.max(b).max(c) }
         };
         Self {
             triangles,
@@ -144,7 +144,7 @@ impl<'a> Division<'a> {
     /// Areas of the boxes around the first triangles in an order, for ascending numbers of them.
     fn areas<'t>(&self, order: impl Iterator<Item = &'t u32>, counts: &[usize]) -> Vec<f32> {
         let mut areas = Vec::with_capacity(counts.len());
-        let mut extent = Extent::EMPTY;
+        let mut extent = TriangleBox::EMPTY;
         let mut next = counts.iter();
         let mut count = next.next();
         for (i, &t) in order.enumerate() {
@@ -161,10 +161,10 @@ impl<'a> Division<'a> {
     }
 
     fn longest_side(&self, part: &[u32]) -> usize {
-        let mut extent = Extent::EMPTY;
+        let mut extent = TriangleBox::EMPTY;
         for &t in part {
             let center = self.boxes[t as usize].center();
-            extent.add(&Extent { min: center, max: center });
+            extent.add(&TriangleBox { min: center, max: center });
         }
         let [x, y, z] = (extent.max - extent.min).to_array();
         if x >= y && x >= z {

@@ -61,7 +61,7 @@ impl SharedPositions {
     /// nearly the wanted size. Groups without such a neighbor are merged along the curve.
     pub(super) fn group(&self, size: usize) -> Vec<Vec<u32>> {
         let count = self.first.len();
-        let mut merger = Merger {
+        let mut merger = GroupMerger {
             links: self.links(),
             parents: (0..count as u32).collect(),
             sizes: vec![1; count],
@@ -92,7 +92,7 @@ struct Link {
 }
 
 /// Groups that grow by merging.
-struct Merger {
+struct GroupMerger {
     links: Vec<Vec<Link>>,
     /// The cluster that stands for the group of each cluster, directly or over others.
     parents: Vec<u32>,
@@ -100,7 +100,7 @@ struct Merger {
     max: usize,
 }
 
-impl Merger {
+impl GroupMerger {
     fn find(&mut self, mut cluster: u32) -> u32 {
         while self.parents[cluster as usize] != cluster {
             let parent = self.parents[cluster as usize];

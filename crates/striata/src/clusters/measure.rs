@@ -9,7 +9,7 @@ const MEASURED_SHARE: f32 = 0.5;
 
 /// A vertex of the original mesh that has been removed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Removed {
+pub(super) struct RemovedVertex {
     /// A position near it that is left.
     pub position: u32,
     /// Place of the vertex, mesh units.
@@ -19,7 +19,7 @@ pub(super) struct Removed {
 }
 
 /// Keeps those of each position that are farthest away, sorted by position and falling distance.
-pub(super) fn keep_farthest(removed: &mut Vec<Removed>) {
+pub(super) fn keep_farthest(removed: &mut Vec<RemovedVertex>) {
     removed.sort_by(|a, b| a.position.cmp(&b.position).then(b.distance.total_cmp(&a.distance)));
     let mut run = (u32::MAX, 0);
     removed.retain(|r| {
@@ -52,8 +52,8 @@ impl<'a> GroupSurface<'a> {
 
     /// Measures a removed vertex, and finds a position near it that is left. Returns that and the triangle nearest to it,
     /// or nearly; [`None`] if nothing is left.
-    pub(super) fn measure(&mut self, removed: Removed) -> Option<(usize, Removed)> {
-        let Removed { position, place, .. } = removed;
+    pub(super) fn measure(&mut self, removed: RemovedVertex) -> Option<(usize, RemovedVertex)> {
+        let RemovedVertex { position, place, .. } = removed;
         let mut triangle = self.triangle_at[position as usize];
         let enough = f64::from(MEASURED_SHARE * self.error);
         let distance = self.tree.distance_within(place.map(f64::from), enough, &mut triangle) as f32;
@@ -64,6 +64,6 @@ impl<'a> GroupSurface<'a> {
             (0..3).map(|axis| (place[axis] - other[axis]).powi(2)).sum()
         };
         let position = [b, c].into_iter().fold(a, |p, q| if squared(q) < squared(p) { q } else { p });
-        Some((triangle, Removed { position, place, distance }))
+        Some((triangle, RemovedVertex { position, place, distance }))
     }
 }

@@ -44,7 +44,7 @@ pub use options::{
     AttributeWeights, BoundaryRule, BuiltSequence, Placement, SeamRule, SequenceOptions, Simplified,
     SimplifyError, SimplifyOptions, StopReason, Target, TopologyRule,
 };
-pub(crate) use patch::{Patch, SimplifiedPatch, Witness};
+pub(crate) use patch::{CarriedWitness, LockedPatch, SimplifiedPatch};
 pub use place::{
     BuiltPlaced, PlacedCollapse, PlacedOptions, build_placed_fragments, build_placed_fragments_with_progress,
     build_welded_placed_fragments_with_progress,

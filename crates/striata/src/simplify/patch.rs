@@ -9,7 +9,7 @@ use crate::mesh::Welded;
 
 /// A vertex that an earlier simplification has removed, from which errors are measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Witness {
+pub(crate) struct CarriedWitness {
     /// Position of the patch at which it is measured.
     pub position: u32,
     /// Place of the vertex, mesh units.
@@ -19,27 +19,27 @@ pub(crate) struct Witness {
 }
 
 /// A part of a mesh that is simplified on its own. Vertices to keep are those that the options lock.
-pub(crate) struct Patch<'a> {
+pub(crate) struct LockedPatch<'a> {
     pub welded: &'a Welded,
     /// Diagonal of the whole mesh, mesh units.
     pub diagonal: f64,
     /// Whether the whole mesh is [a scan](CostEvaluator::is_scan).
     pub is_scan: bool,
     /// At most one witness for each position.
-    pub witnesses: &'a [Witness],
+    pub witnesses: &'a [CarriedWitness],
     /// Error of the patch so far, mesh units. Smaller errors are not measured.
     pub error: f32,
 }
 
-/// Result of [`Patch::simplify`].
+/// Result of [`LockedPatch::simplify`].
 pub(crate) struct SimplifiedPatch {
-    /// What each vertex becomes: itself, or a vertex that is left.
+    /// The vertex that each vertex becomes: itself, or a vertex that is left.
     pub targets: Vec<u32>,
-    /// At least [`Patch::error`], mesh units.
+    /// At least [`LockedPatch::error`], mesh units.
     pub error: f32,
 }
 
-impl Patch<'_> {
+impl LockedPatch<'_> {
     /// Simplifies the patch as far as the options allow.
     ///
     /// # Errors
@@ -64,7 +64,7 @@ impl Patch<'_> {
         let part = simplifier.run_part(&mut ignore_progress)?;
         let positions = &self.welded.positions;
         let mut targets: Vec<u32> = (0..mesh.vertex_count() as u32).collect();
-        // What a vertex becomes later is known first.
+        // In reverse order, so that the target of a target is final.
         for v in part.record.removed.iter().rev().flat_map(|&p| positions.wedges(p)) {
             targets[v as usize] = targets[part.record.targets[v as usize] as usize];
         }

@@ -31,7 +31,7 @@ pub(super) fn clustered(
     ClusteredScene::build_with_progress(scene, &options, progress).map_err(failed)
 }
 
-/// What a file with clusters contains; counts are sums over the meshes of the document.
+/// Contents of a file with clusters; counts are sums over the meshes of the document.
 #[derive(Serialize)]
 pub(super) struct ClusterReport {
     path: String,

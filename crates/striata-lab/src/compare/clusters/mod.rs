@@ -13,7 +13,7 @@ use striata::clusters::{ClusterDag, ClusterOptions};
 use striata::mesh::{DistanceOptions, IndexedMesh, surface_distance, weld};
 use striata_lab::cpu_secs;
 
-use self::views::{ViewCuts, ViewPoint, VisiblePoints};
+use self::views::{SurfacePoints, ViewCuts, ViewPoint};
 use super::page::{PageBlock, PageSection};
 use striata_command::failure::Failure;
 
@@ -79,7 +79,7 @@ pub(super) fn measure(mesh: &IndexedMesh, say: &dyn Fn(&str)) -> Result<Clusters
     say("vertices");
     let lod = striata::Lod::build(&mesh, &striata::LodOptions::default())?;
     say("views");
-    let points = VisiblePoints::new(&mesh)?;
+    let points = SurfacePoints::new(&mesh)?;
     let views = ViewPoint::all(&mesh, &points)?;
     let cuts: Vec<ViewCuts> = built
         .iter()

@@ -26,9 +26,9 @@ const FINEST_PX: f32 = 0.25;
 const COMPARED_PX: std::ops::RangeInclusive<f32> = 0.5..=4.01;
 
 /// Points on the surface, with the normals of their triangles.
-pub(super) struct VisiblePoints(Vec<[DVec3; 2]>);
+pub(super) struct SurfacePoints(Vec<[DVec3; 2]>);
 
-impl VisiblePoints {
+impl SurfacePoints {
     /// Samples a mesh.
     ///
     /// # Errors
@@ -58,7 +58,7 @@ impl ViewPoint {
     ///
     /// # Errors
     /// If the mesh is inconsistent or has no extent.
-    pub(super) fn all(mesh: &IndexedMesh, points: &VisiblePoints) -> Result<Vec<Self>, Failure> {
+    pub(super) fn all(mesh: &IndexedMesh, points: &SurfacePoints) -> Result<Vec<Self>, Failure> {
         let bounds = mesh.bounds().ok_or_else(|| Failure::user("the mesh has no vertices".to_owned()))?;
         let [min, max] = [bounds.min, bounds.max].map(|p| DVec3::from(p.map(f64::from)));
         let (center, diagonal) = (0.5 * (min + max), bounds.diagonal());
