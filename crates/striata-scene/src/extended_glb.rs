@@ -101,7 +101,7 @@ impl<'m> ExtendedGlb<'m> {
     ///
     /// # Errors
     /// [`WriteError`] if a mesh contains numbers that glTF cannot store, or the file would be larger than 4 GiB.
-    pub(crate) fn to_bytes(mut self) -> Result<Vec<u8>, WriteError> {
+    pub(crate) fn into_glb(mut self) -> Result<Vec<u8>, WriteError> {
         if !self.numbers.is_empty() {
             use_extension(&mut self.parts.document, self.extension);
         }

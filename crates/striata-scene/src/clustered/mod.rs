@@ -99,7 +99,7 @@ impl ClusteredScene {
             let primitives = (0..group_count).map(|group| extended(dag, group, has_extension));
             file.put_mesh(index, mesh, primitives.collect());
         }
-        file.to_bytes()
+        file.into_glb()
     }
 }
 

@@ -62,7 +62,7 @@ impl LodScene {
                 file.put_mesh(index, &ordered.mesh, primitives.collect());
             }
         }
-        file.to_bytes()
+        file.into_glb()
     }
 }
 

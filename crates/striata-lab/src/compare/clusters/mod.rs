@@ -155,7 +155,8 @@ fn reported_over_measured(mesh: &IndexedMesh, dag: &ClusterDag) -> Result<Vec<f6
         let Some(&error) = errors.get(errors.partition_point(is_too_fine)) else { continue };
         let triangles = dag.triangles_of(&dag.cut_for_error(error));
         let level = IndexedMesh::new(mesh.positions.clone(), triangles).without_unused_vertices();
-        let measured = surface_distance(mesh, &level, &DistanceOptions::default())?.max;
+        let measured = surface_distance(mesh, &level, &DistanceOptions::default());
+        let measured = measured.map_err(|error| Failure::internal(error.to_string()))?.max;
         if measured > 0.0 {
             ratios.push(f64::from(error) / measured);
         }

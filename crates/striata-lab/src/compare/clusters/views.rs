@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use striata::Lod;
-use striata::clusters::ClusterDag;
+use striata::clusters::{ClusterDag, ClusterGroup};
 use striata::mesh::{IndexedMesh, SurfaceSamples, TriangleTree};
 use striata::model::{BoundScope, FanInstance, FanOptions, FanScene, Fans};
 use striata::view::{Camera, Part, Sphere};
@@ -77,7 +77,8 @@ impl ViewPoint {
             };
             let eye = target + distance * diagonal * direction;
             let [eye_f32, target] = [eye, target].map(|p| p.as_vec3().to_array());
-            let camera = Camera::new(eye_f32, target, [0.0, 1.0, 0.01], HALF_FIELD.tan(), [SCREEN_PX; 2])?;
+            let camera = Camera::new(eye_f32, target, [0.0, 1.0, 0.01], HALF_FIELD.tan(), [SCREEN_PX; 2]);
+            let camera = camera.map_err(|error| Failure::user(error.to_string()))?;
             let is_seen = |&&[point, normal]: &&[DVec3; 2]| {
                 (point - eye).dot(normal) < 0.0 && camera.may_see(&Sphere::point(point.as_vec3().to_array()))
             };
@@ -112,8 +113,9 @@ impl ViewCuts {
         views: &[ViewPoint],
     ) -> Result<Self, Failure> {
         Self::new(&mesh.positions, views, |view, tolerance| {
-            let is_good = |error, sphere| view.camera.error_px(error, sphere) <= tolerance;
-            dag.triangles_of(&dag.cut(|group| is_good(group.error, &group.sphere)))
+            let is_good =
+                |group: &ClusterGroup| view.camera.error_px(group.error, &group.sphere) <= tolerance;
+            dag.triangles_of(&dag.cut(is_good))
         })
     }
 
@@ -125,7 +127,8 @@ impl ViewCuts {
         let refinable =
             striata::mesh::RefinableMesh { mesh: lod.mesh().clone(), sequence: lod.sequence().clone() };
         let options = FanOptions::default().with_bounds(Some(BoundScope::Dependents));
-        let fans = Fans::build_with(&refinable, &options, &mut striata::ignore_progress)?;
+        let fans = Fans::build_with(&refinable, &options, &mut striata::ignore_progress);
+        let fans = fans.map_err(|error| Failure::internal(error.to_string()))?;
         let scene = FanScene::new(&fans, lod.positions());
         Self::new(lod.positions(), views, |view, tolerance| {
             let mut instance = FanInstance::uniform(&fans, 0);
