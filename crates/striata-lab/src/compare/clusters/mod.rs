@@ -21,7 +21,7 @@ use striata_command::failure::Failure;
 const SHARES: [f64; 4] = [0.25, 0.1, 0.03, 0.01];
 
 /// The contender that triangles are compared with. Without folds, clusterlod is worse.
-const REFERENCE: &str = "clusterlod, folds";
+const REFERENCE: &str = "clusterlod-folds";
 
 /// How to read the table.
 const READING: &str = "Triangles: those of a cut divided by those of clusterlod with folds whose visible points have \
@@ -98,7 +98,7 @@ pub(super) fn measure(mesh: &IndexedMesh, say: &dyn Fn(&str)) -> Result<Clusters
         });
     }
     rows.push(ClusterRow {
-        contender: "striata, by vertices",
+        contender: "striata-vertices",
         triangles_at_equal_error: relative(&of_vertices),
         hierarchy: None,
     });
