@@ -18,6 +18,8 @@ pub mod sources;
 #[cfg(feature = "python")]
 mod arrays;
 #[cfg(feature = "python")]
+mod clusters;
+#[cfg(feature = "python")]
 mod content;
 #[cfg(feature = "python")]
 mod decode;

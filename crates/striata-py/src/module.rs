@@ -11,7 +11,7 @@ use crate::scene::{LodSceneData, PySceneData};
 use crate::stream::DecoderData;
 use crate::strip_level::StripLevelData;
 use crate::view::ViewData;
-use crate::{decode, distance, files, lod, simplify, stream, strips, tiles};
+use crate::{clusters, decode, distance, files, lod, simplify, stream, strips, tiles};
 
 /// All classes are immutable or guarded by a mutex, so the module is safe without the global lock.
 #[pymodule(gil_used = false)]
@@ -43,5 +43,6 @@ fn _striata(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(files::format_of, module)?)?;
     module.add_function(wrap_pyfunction!(files::viewer_page, module)?)?;
     module.add_function(wrap_pyfunction!(tiles::write_tiles, module)?)?;
+    module.add_function(wrap_pyfunction!(clusters::build_clusters, module)?)?;
     Ok(())
 }

@@ -10,6 +10,7 @@
 
 from . import plot, shapes
 from ._build import build
+from ._clusters import Clusters, clusters
 from ._distance import Distance, OneSidedDistance, distance
 from ._files import convert, open, save
 from ._level import Level
@@ -33,6 +34,7 @@ from ._warn import ReadWarning
 
 __all__ = [
     "RESTART",
+    "Clusters",
     "DecodeError",
     "Distance",
     "Group",
@@ -58,6 +60,7 @@ __all__ = [
     "View",
     "__version__",
     "build",
+    "clusters",
     "convert",
     "decode",
     "distance",

@@ -28,6 +28,7 @@ __all__ = [
     "ViewData",
     "__version__",
     "build",
+    "build_clusters",
     "decode",
     "distance",
     "encode_mesh",
@@ -185,6 +186,16 @@ def simplify_mesh(
     progress: _Progress,
 ) -> tuple[MeshData, float, str]: ...
 def build(mesh: MeshData, guaranteed: bool, options: dict[str, Any], progress: _Progress) -> LodData: ...
+def build_clusters(
+    mesh: MeshData, sizes: tuple[int, int, int], options: dict[str, Any], progress: _Progress
+) -> tuple[
+    NDArray[np.int32],
+    NDArray[np.int64],
+    NDArray[np.float32],
+    NDArray[np.int64],
+    NDArray[np.float32],
+    NDArray[np.float32],
+]: ...
 def distance(
     a: MeshData, b: MeshData, samples: int, seed: int, progress: _Progress
 ) -> tuple[_Vector, _Vector, float, int]: ...
