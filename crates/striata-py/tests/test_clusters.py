@@ -30,7 +30,7 @@ def test_cuts_have_no_cracks_and_their_errors_are_true():
         assert (edges_of(level) == 2).all()
         if np.isfinite(error):
             assert striata.distance((points, faces), (points, level)).max <= 1.2 * error
-    # A camera: fine where it is near.
+    # A camera: fine near the eye, coarse far from it.
     eye = points[0] + 0.1 * size
     distance = np.linalg.norm(clusters.group_spheres[:, :3] - eye, axis=1) - clusters.group_spheres[:, 3]
     level = clusters.faces_of(clusters.cut(clusters.error <= 0.02 * np.maximum(distance, 1e-3 * size)))

@@ -20,6 +20,22 @@ pub(crate) struct ExtendedPrimitive<'m> {
     pub numbers: Vec<(&'static str, Cow<'m, [u32]>)>,
 }
 
+impl<'m> ExtendedPrimitive<'m> {
+    /// Shows other triangles, if any are shown, whose order must stay. All triangles then have an accessor of their own.
+    pub(crate) fn showing(mut self, triangles: &'m [[u32; 3]]) -> Self {
+        if self.shown == 0 {
+            return self;
+        }
+        let all = std::mem::replace(&mut self.triangles, Cow::Borrowed(triangles));
+        self.shown = triangles.len();
+        if let Some(members) = self.extension.as_mut().and_then(Value::as_object_mut) {
+            members.remove("indices");
+            self.numbers.push(("indices", Cow::Owned(all.as_flattened().to_vec())));
+        }
+        self
+    }
+}
+
 /// A file in the making.
 pub(crate) struct ExtendedGlb<'m> {
     parts: SceneParts,

@@ -244,12 +244,17 @@ fn ranges_need_as_few_cache_misses_as_the_best_order() {
     assert_eq!(&primitive.indices[..primitive.ranges[0].index_count], ordered.mesh.triangles.as_flattened());
 }
 
-#[test]
-fn blended_triangles_keep_their_order() {
+/// A torus of glass.
+fn blended() -> Scene {
     let mut parts = Scene::from_mesh(shapes::torus(20, 10, 2.0, 1.0)).unwrap().into_parts();
     parts.document["materials"] = serde_json::json!([{ "alphaMode": "BLEND" }]);
     parts.document["meshes"][0]["primitives"][0]["material"] = 0.into();
-    let lods = LodScene::build(&Scene::from_parts(parts).unwrap(), &LodOptions::default()).unwrap();
+    Scene::from_parts(parts).unwrap()
+}
+
+#[test]
+fn blended_triangles_keep_their_order() {
+    let lods = LodScene::build(&blended(), &LodOptions::default()).unwrap();
     let full = &lods.lods()[0].as_ref().unwrap().mesh().triangles;
     let ordered = lods.ordered(4)[0].clone().unwrap();
     for range in &ordered.primitives[0].ranges {
@@ -342,4 +347,24 @@ fn cuts_of_clusters_by_the_rule_are_those_of_the_library() {
         }
     }
     assert!(count > 100, "{count} cuts");
+}
+
+#[test]
+fn blended_triangles_of_clusters_keep_their_order() {
+    let options = ClusterOptions::default().with_max_triangles(16).with_group_size(4);
+    let clustered = ClusteredScene::build(blended(), &options).unwrap();
+    let glb = clustered.to_glb().unwrap().bytes;
+    let checked = CheckedGlb::new(&glb, |_, _| panic!("nothing is compressed"));
+    assert_eq!(checked.faults(), &[] as &[String]);
+    let reader = Reader::new(&glb);
+    let primitive = reader.extended(0, CLUSTER_EXTENSION).next().unwrap();
+    let shown = triangles(&reader.integers(&primitive["indices"]));
+    assert_eq!(shown, clustered.scene().meshes()[0].as_ref().unwrap().triangles);
+    let full = cluster_cut(&reader, 0, -1.0).concat();
+    assert_ne!(full, shown, "clusters have another order");
+    assert_eq!(canonical_triangles(&full), canonical_triangles(&shown));
+    let dag = clustered.dags()[0].as_ref().unwrap();
+    let error = dag.groups[0].error;
+    let expected = dag.triangles_of(&dag.cut_for_error(error));
+    assert_eq!(canonical_triangles(&cluster_cut(&reader, 0, error).concat()), canonical_triangles(&expected));
 }

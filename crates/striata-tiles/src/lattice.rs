@@ -5,8 +5,8 @@
 //!  level 0   |_______|_______|_______|_______|      steps double from level to level
 //! ```
 //!
-//! All steps are powers of two, or few bits times one, and count from one origin, so the lattice of a level contains those of coarser ones, and
-//! every plane between tiles lies on the lattices of all tiles that it bounds. Coordinates of vertices are
+//! All steps are powers of two, or such a power times a number of a few bits, and count from one origin. So the lattice
+//! of a level contains those of coarser ones, and every plane between tiles lies on the lattices of all tiles that it bounds. Coordinates of vertices are
 //! exact, as floats and as integers of 16 bits, so no format opens cracks.
 
 use striata::mesh::Bounds;

@@ -19,7 +19,7 @@ use crate::error::TilesError;
 const INDEX: &str = "@3dtilesIndex1@";
 /// Name by which outputs of this crate are known again.
 pub(crate) const GENERATOR: &str = "striata";
-/// Files that describe outputs, and where the name is in them.
+/// Files that describe outputs, each with the JSON pointer to the name of the generator.
 const DESCRIPTIONS: [(&str, &str); 3] = [
     ("tileset.json", "/asset/generator"),
     ("info", "/generator"),

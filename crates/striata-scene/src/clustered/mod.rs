@@ -95,8 +95,12 @@ impl ClusteredScene {
             {
                 *slot = json!({ "groups": dag.groups.iter().map(group_row).collect::<Vec<_>>() });
             }
-            let group_count = mesh.groups_or_whole().len();
-            let primitives = (0..group_count).map(|group| extended(dag, group, has_extension));
+            let are_blended = self.scene.are_blended(index);
+            let groups = mesh.groups_or_whole().into_iter().zip(are_blended).enumerate();
+            let primitives = groups.map(|(number, (group, is_blended))| {
+                let made = extended(dag, number, has_extension);
+                if is_blended { made.showing(&mesh.triangles[group.range()]) } else { made }
+            });
             file.put_mesh(index, mesh, primitives.collect());
         }
         file.into_glb()
@@ -113,7 +117,7 @@ fn group_row(group: &ClusterGroup) -> Value {
 }
 
 /// A primitive with all of its clusters, those at full detail first.
-fn extended(dag: &ClusterDag, mesh_group: usize, has_extension: bool) -> ExtendedPrimitive<'static> {
+fn extended<'m>(dag: &ClusterDag, mesh_group: usize, has_extension: bool) -> ExtendedPrimitive<'m> {
     let own = || dag.clusters.iter().filter(|cluster| cluster.mesh_group == mesh_group);
     let full = own().filter(|cluster| cluster.refines.is_none());
     let shown = full.clone().map(|cluster| cluster.triangles.len()).sum();

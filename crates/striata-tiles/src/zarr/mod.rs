@@ -7,7 +7,7 @@
 //! ```
 //!
 //! A level is made from the triangles of the next finer level that is stored: corners move to their targets until they
-//! are among the first n vertices. So the numbers that a level needs are few times as many as those that it shows.
+//! are among the first n vertices. So a level reads at most a few times as many numbers as it shows.
 
 mod array;
 

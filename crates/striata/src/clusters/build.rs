@@ -14,7 +14,7 @@ use crate::view::Sphere;
 use crate::{Progress, ProgressFn};
 
 /// Factor on errors that are measured at vertices: between vertices, and from the simplified form to the original one,
-/// distances are a little larger. Measured with samples, reported errors are then .94 to 1.25 of the true ones.
+/// distances are a little larger. Measured with samples, 19 of 20 reported errors are then .94 to 1.25 of the true ones.
 const MARGIN: f32 = 1.2;
 /// A group is kept for the next level, with other neighbors, if more than this share of its triangles is left.
 const MAX_LEFT: f64 = 0.85;
@@ -162,7 +162,7 @@ impl<'a> Builder<'a> {
         positions
     }
 
-    /// Simplifies the clusters of a group to half of their triangles; [`None`] if that is not possible.
+    /// Simplifies the clusters of a group to half of their triangles; [`None`] if that is not possible within the limits.
     fn simplified(
         &self,
         group: &[u32],
@@ -182,8 +182,10 @@ impl<'a> Builder<'a> {
             .collect();
         let local = 0..cut_out.positions.len() as u32;
         let locked = local.filter(|&p| is_border[cut_out.positions[p as usize] as usize]);
+        let limit = self.sequence.max_error.unwrap_or(f64::INFINITY);
         let options = SequenceOptions {
             base_triangle_count: count / 2,
+            max_error: self.sequence.max_error.map(|limit| limit / f64::from(MARGIN)),
             locked_vertices: locked.map(|p| cut_out.welded.positions.first_vertex(p)).collect(),
             ..self.sequence.clone()
         };
@@ -198,7 +200,12 @@ impl<'a> Builder<'a> {
         let result = patch.simplify(&options)?;
         let left = cut_out.triangles_left(&result.targets);
         let left_count: usize = left.iter().map(Vec::len).sum();
-        if left_count as f64 > MAX_LEFT * count as f64 {
+        // How far a group that vanishes is from what is left is not known.
+        if left_count == 0 || left_count as f64 > MAX_LEFT * count as f64 {
+            return Ok(None);
+        }
+        let (error, measured) = cut_out.measure(&result, removed);
+        if f64::from(error * MARGIN) > limit {
             return Ok(None);
         }
         let mut made: Vec<OpenCluster> = Vec::new();
@@ -211,7 +218,6 @@ impl<'a> Builder<'a> {
                 made.push(self.open_cluster(&cluster, triangles, mesh_group));
             }
         }
-        let (error, measured) = cut_out.measure(&result, removed);
         for (triangle, removed) in measured {
             let position = cut_out.positions[removed.position as usize];
             made[cluster_of[triangle]].removed.push(RemovedVertex { position, ..removed });

@@ -5,7 +5,7 @@ use glam::Vec3A;
 use super::ClusterOptions;
 use crate::mesh::IndexedMesh;
 
-/// Parts of more than this many clusters are halved along their longest side; smaller ones are cut where it is best.
+/// Parts of more than this many clusters are halved along their longest side. For smaller ones, the best cut is searched.
 const SEARCHED_CLUSTERS: usize = 16;
 
 /// Triangles that are divided, and the clusters so far.

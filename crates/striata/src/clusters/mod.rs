@@ -60,7 +60,8 @@ use crate::{ProgressFn, ignore_progress};
 #[non_exhaustive]
 pub struct ClusterOptions {
     /// Costs, weights and rules of the simplification. Coarser levels are only made while more than
-    /// [`SequenceOptions::base_triangle_count`] triangles are left; [`SequenceOptions::pair_distance`] is ignored.
+    /// [`SequenceOptions::base_triangle_count`] triangles are left. No finite error exceeds
+    /// [`SequenceOptions::max_error`]. [`SequenceOptions::pair_distance`] is ignored.
     pub sequence: SequenceOptions,
     /// Largest number of triangles of a cluster, at least 2; default 128.
     pub max_triangles: usize,

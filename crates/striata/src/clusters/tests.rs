@@ -228,6 +228,39 @@ fn unusual_meshes() {
 }
 
 #[test]
+fn error_limits_hold() {
+    let mesh = shapes::torus(60, 30, 1.0, 0.4);
+    for limit in [0.01f32, 0.05] {
+        let sequence = SequenceOptions::default().with_max_error(f64::from(limit));
+        let dag = ClusterDag::build(&mesh, &small().with_sequence(sequence)).expect("the options are valid");
+        let finite = dag.groups.iter().map(|group| group.error).filter(|error| error.is_finite());
+        let largest = finite.fold(0.0, f32::max);
+        assert!(largest > 0.3 * limit && largest <= limit, "{largest} within {limit}");
+    }
+}
+
+#[test]
+fn small_parts_do_not_vanish_in_groups_of_their_own() {
+    // Far from each other, each in a group without neighbors.
+    let mut mesh = IndexedMesh::default();
+    for i in 0..40u32 {
+        let part = shapes::icosphere(2, 0.01);
+        let offset = mesh.positions.len() as u32;
+        mesh.positions.extend(part.positions.iter().map(|p| [p[0] + i as f32, p[1], p[2]]));
+        mesh.triangles.extend(part.triangles.iter().map(|t| t.map(|v| v + offset)));
+    }
+    let dag = build(&mesh);
+    for group in dag.groups.iter().filter(|group| group.error.is_finite()) {
+        let cut = dag.cut_for_error(group.error);
+        let level = IndexedMesh::new(mesh.positions.clone(), dag.triangles_of(&cut));
+        let tree = crate::mesh::TriangleTree::new(&level).expect("the cut is valid");
+        let distance = |p: &[f32; 3]| tree.distance_to(p.map(f64::from));
+        let farthest = mesh.positions.iter().map(distance).fold(0.0, f64::max);
+        assert!(farthest <= 1.1 * f64::from(group.error), "{farthest} for {}", group.error);
+    }
+}
+
+#[test]
 fn options_out_of_range_are_named() {
     let mesh = shapes::icosphere(1, 1.0);
     let options = ClusterOptions::default();

@@ -10,6 +10,9 @@ use std::hash::{BuildHasherDefault, Hasher};
 
 use super::{AttributeLayer, IndexedMesh, MeshError, PositionIndex, TriangleGroup, gather_layers};
 
+/// Number of vertices of a position that are compared one by one.
+const MAX_COMPARED: usize = 32;
+
 /// Result of [`weld`].
 #[derive(Clone, Debug)]
 pub struct Welded {
@@ -179,8 +182,9 @@ struct WeldVertices {
 /// Assigns new indices to the distinct vertices, in the order of the input, and applies them to the
 /// triangles.
 ///
-/// The vertices of one position form a linked list and are compared one by one, so that attributes need not
-/// be hashed.
+/// The first vertices of a position form a linked list and are compared one by one, so that attributes need not be
+/// hashed. If there are more than [`MAX_COMPARED`], as at the tip of a cone with flat shading, the others are found by a
+/// hash.
 fn index_vertices(source: &WeldSource<'_>, triangles: &mut [[u32; 3]]) -> WeldVertices {
     const NONE: u32 = u32::MAX;
     let has_materials = !source.material_of.is_empty();
@@ -193,30 +197,45 @@ fn index_vertices(source: &WeldSource<'_>, triangles: &mut [[u32; 3]]) -> WeldVe
     }
     let position_count = source.position_of.iter().max().map_or(0, |&p| p as usize + 1);
     let mut head = vec![NONE; position_count];
+    let mut crowded: WordMap<u64, u32> = WordMap::default();
     let mut next: Vec<u32> = Vec::new();
     let mut material: Vec<u32> = Vec::new();
     let mut out = WeldVertices::default();
     let mut new_vertex = |v: u32, m: u32, out: &mut WeldVertices| -> u32 {
         let position = source.position_of[v as usize];
-        let mut slot = head[position as usize];
-        let mut last = NONE;
-        while slot != NONE {
-            if material[slot as usize] == m
+        let is_equal = |slot: u32, out: &WeldVertices, material: &[u32]| {
+            material[slot as usize] == m
                 && same_attributes(source.mesh, v as usize, out.source[slot as usize] as usize)
-            {
+                && out.position[slot as usize] == position
+        };
+        let (mut slot, mut last, mut count) = (head[position as usize], NONE, 0);
+        let mut key = None;
+        loop {
+            if slot == NONE && count == MAX_COMPARED {
+                let hash = attribute_hash(source.mesh, v as usize, [position, m]);
+                key = Some(hash);
+                (slot, count) = (crowded.get(&hash).copied().unwrap_or(NONE), count + 1);
+            }
+            if slot == NONE {
+                break;
+            }
+            if is_equal(slot, out, &material) {
                 out.merged_count += 1;
                 return slot;
             }
-            last = slot;
-            slot = next[slot as usize];
+            (last, slot) = (slot, next[slot as usize]);
+            count += usize::from(count < MAX_COMPARED);
         }
         let new = out.source.len() as u32;
-        if last == NONE {
-            head[position as usize] = new;
+        if let Some(hash) = key {
+            next.push(crowded.insert(hash, new).unwrap_or(NONE));
         } else {
-            next[last as usize] = new;
+            match last {
+                NONE => head[position as usize] = new,
+                _ => next[last as usize] = new,
+            }
+            next.push(NONE);
         }
-        next.push(NONE);
         material.push(m);
         out.source.push(v);
         out.position.push(position);
@@ -244,6 +263,17 @@ fn index_vertices(source: &WeldSource<'_>, triangles: &mut [[u32; 3]]) -> WeldVe
             corners.map(|v| *pair_of_vertex.entry((v, m)).or_insert_with(|| new_vertex(v, m, &mut out)));
     }
     out
+}
+
+/// Hash of the attributes of a vertex, and of two numbers.
+fn attribute_hash(mesh: &IndexedMesh, vertex: usize, numbers: [u32; 2]) -> u64 {
+    let mut hasher = WordHasher::default();
+    numbers.iter().for_each(|&number| hasher.write_u32(number));
+    for layer in &mesh.layers {
+        let n = layer.vertex_bytes();
+        hasher.write(&layer.data.as_bytes()[vertex * n..][..n]);
+    }
+    hasher.finish()
 }
 
 fn same_attributes(mesh: &IndexedMesh, a: usize, b: usize) -> bool {
@@ -330,6 +360,29 @@ fn spread_bits(x: u64) -> u64 {
 mod tests {
     use super::*;
     use crate::mesh::Semantic;
+
+    #[test]
+    fn a_tip_of_many_vertices_keeps_those_that_differ() {
+        // A fan with a normal of its own for each triangle, all of it twice.
+        let count = 40_000u32;
+        let mut mesh = IndexedMesh::default();
+        let mut normals = Vec::new();
+        for i in (0..count).chain(0..count) {
+            let corner = mesh.positions.len() as u32;
+            mesh.positions.extend([[0.0; 3], [1.0, i as f32, 0.0], [1.0, i as f32 + 1.0, 0.0]]);
+            mesh.triangles.push([corner, corner + 1, corner + 2]);
+            normals.extend([[0.0, i as f32, 1.0]; 3]);
+        }
+        mesh.layers = vec![AttributeLayer::from_f32(Semantic::Normal, 3, normals.into_flattened())];
+        let welded = weld(&mesh).unwrap();
+        assert_eq!(welded.mesh.vertex_count(), 3 * count as usize);
+        assert_eq!(welded.merged_vertex_count, 3 * count as usize);
+        assert_eq!(welded.positions.position_count(), count as usize + 2);
+        let tip = welded.position_of_source[0];
+        assert_eq!(welded.positions.wedges(tip).len(), count as usize);
+        let (first, second) = welded.mesh.triangles.split_at(count as usize);
+        assert_eq!(first, second);
+    }
 
     #[test]
     fn soup_of_two_triangles_becomes_four_vertices() {

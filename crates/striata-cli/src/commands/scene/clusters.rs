@@ -12,7 +12,7 @@ use striata_command::input::Input;
 use striata_command::output::{Table, format_bytes, format_count, format_duration};
 use striata_command::save::{display_name, write_bytes};
 use striata_io::Scene;
-use striata_scene::ClusteredScene;
+use striata_scene::{ClusteredScene, MeshWeight};
 
 /// Builds the clusters of a scene.
 ///
@@ -44,7 +44,7 @@ pub(super) struct ClusterReport {
     cluster_triangle_count: usize,
     /// Number of triangles of the coarsest cut.
     base_triangle_count: usize,
-    /// Error of the coarsest cut, the largest over all meshes, in units of each.
+    /// Error of the coarsest cut, the largest over all meshes, scene units.
     error_max: f64,
     /// Size of the file without the extension.
     plain_bytes: usize,
@@ -71,7 +71,11 @@ impl ClusterReport {
         phases.leave();
         let dags = || clustered.dags().iter().flatten();
         let triangles = |dag: &ClusterDag, cut: Vec<usize>| dag.triangles_of(&cut).len();
-        let errors = dags().flat_map(|dag| &dag.groups).map(|group| f64::from(group.error));
+        let weights = MeshWeight::of_scene(clustered.scene());
+        let errors = clustered.dags().iter().zip(&weights).flat_map(|(dag, weight)| {
+            let groups = dag.iter().flat_map(|dag| &dag.groups);
+            groups.map(|group| f64::from(group.error) * weight.scale)
+        });
         Ok(Self {
             path: display_name(path),
             mesh_count: dags().count(),
