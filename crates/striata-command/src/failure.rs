@@ -342,11 +342,21 @@ impl Excerpt {
 /// Returns what to do about a file that cannot be decoded: copies of another version of a format are no better.
 pub fn decode_hint(error: &(dyn Error + 'static)) -> &'static str {
     let mut causes = std::iter::successors(Some(error), |&error| error.source());
+    if causes.clone().any(is_incomplete) {
+        return "wait for more of the stream; if this is all of the file, copy it again";
+    }
     causes
         .find_map(version_of)
         .map_or("the file is damaged or cut off; copy it again, or build it again", |(found, supported)| {
             version_hint(found, supported)
         })
+}
+
+/// Whether what is wrong is that a stream has only begun.
+fn is_incomplete(error: &(dyn Error + 'static)) -> bool {
+    matches!(error.downcast_ref(), Some(DecodeError::Incomplete { .. }))
+        || matches!(error.downcast_ref(), Some(striata_stream::DecodeError::Incomplete { .. }))
+        || matches!(error.downcast_ref(), Some(SceneStreamError::NotDrawable { .. }))
 }
 
 /// Returns what to do about a file with another version of its format.

@@ -143,10 +143,7 @@ impl Input {
         if !is_complete {
             decoder.finish().map_err(|error| self.broken(&error))?;
         }
-        if !decoder.is_drawable() {
-            let message = format!("{}: cut off before the first version of every mesh", self.name);
-            return Err(Failure::user(message).with_hint("copy the file again"));
-        }
+        decoder.check_drawable().map_err(|error| self.broken(&error))?;
         let scene = decoder.scene().map_err(|error| self.broken(&error))?;
         if !is_complete {
             let whole = decoder.stream_bytes().and_then(|bytes| usize::try_from(bytes).ok());

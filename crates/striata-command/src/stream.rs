@@ -61,8 +61,7 @@ pub fn stream_facts_json(facts: &StreamInfo) -> Value {
 pub fn effort_name(effort: Effort) -> &'static str {
     match effort {
         Effort::Fast => "fast",
-        Effort::Small => "small",
-        _ => "default",
+        _ => "compact",
     }
 }
 
@@ -79,8 +78,7 @@ impl From<EffortArg> for Effort {
     fn from(effort: EffortArg) -> Self {
         match effort {
             EffortArg::Fast => Self::Fast,
-            EffortArg::Default => Self::Default,
-            EffortArg::Small => Self::Small,
+            EffortArg::Compact => Self::Compact,
         }
     }
 }

@@ -33,7 +33,7 @@ fn stream_options((bits, tolerance, effort): Quality) -> Outcome<StreamOptions> 
         (None, Some(tolerance)) => Precision::Tolerance(tolerance),
         (None, None) => Precision::Lossless,
     };
-    let efforts = [("fast", Effort::Fast), ("default", Effort::Default), ("small", Effort::Small)];
+    let efforts = [("fast", Effort::Fast), ("compact", Effort::Compact)];
     let effort = choice("effort", &effort, &efforts)?;
     Ok(StreamOptions::default().with_precision(precision).with_effort(effort))
 }

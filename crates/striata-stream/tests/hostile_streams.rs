@@ -11,7 +11,7 @@ use striata_stream::{
 };
 use support::{Random, soup, with_seams_and_groups};
 
-const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
+const EFFORTS: [Effort; 2] = [Effort::Fast, Effort::Compact];
 
 fn stream_of(mesh: &IndexedMesh, options: &StreamOptions) -> Vec<u8> {
     let batches = BatchOptions::default().with_general_floor(0);
@@ -92,11 +92,11 @@ struct ListedChunk<'a> {
     bytes: &'a [u8],
 }
 
-/// A head without names, layers and groups. Values of `effort` from 3 on: with general batches.
+/// A head without names, layers and groups. Values of `effort` from 2 on: with general batches.
 fn head(effort: u8, counts: Counts, chunks: &[ListedChunk<'_>]) -> Vec<u8> {
     let mut out = b"\x89STR".to_vec();
-    let flags = if effort < 3 { 0 } else { 2 };
-    out.extend([2, effort % 3, flags, 0]);
+    let flags = if effort < 2 { 0 } else { 2 };
+    out.extend([2, effort % 2, flags, 0]);
     out.extend([0; 8]);
     counts.into_iter().for_each(|n| put_varint(n, &mut out));
     out.push(14);
@@ -136,7 +136,7 @@ fn a_head_that_claims_billions_does_not_allocate_them() {
         ListedChunk { claimed: base.len() as u32, splits: 0, bytes: &base },
         ListedChunk { claimed: steps / 256, splits: steps, bytes: &[] },
     ];
-    for effort in 0..6 {
+    for effort in 0..4 {
         let mut bytes = head(effort, [3 + steps, 3 + steps, 1, steps, 7], &chunks);
         bytes.extend(&base);
         let mut decoder = StreamDecoder::new();

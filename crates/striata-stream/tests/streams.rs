@@ -17,10 +17,10 @@ use striata_stream::{
 };
 use support::{Random, RandomSequenceOptions, random_refinable, soup, with_seams_and_groups};
 
-const EFFORTS: [Effort; 3] = [Effort::Fast, Effort::Default, Effort::Small];
+const EFFORTS: [Effort; 2] = [Effort::Fast, Effort::Compact];
 
 /// Options with each effort.
-fn each_effort() -> [StreamOptions; 3] {
+fn each_effort() -> [StreamOptions; 2] {
     EFFORTS.map(|effort| StreamOptions::default().with_effort(effort))
 }
 
@@ -387,11 +387,10 @@ struct StoredStream {
 
 /// The stored streams; the last one has general batches.
 fn stored_streams() -> Vec<StoredStream> {
-    let options = StreamOptions::default().with_precision(Precision::Bits(12));
+    let options = StreamOptions::default().with_precision(Precision::Bits(12)).with_effort(Effort::Compact);
     let surfaces = [
         ("fast", options.clone().with_effort(Effort::Fast)),
-        ("default", options.clone()),
-        ("small", options.clone().with_effort(Effort::Small)),
+        ("compact", options.clone()),
         ("exact", options.clone().with_precision(Precision::Lossless)),
     ]
     .map(|(name, options)| StoredStream { name, mesh: stored_surface(), options });
@@ -528,7 +527,7 @@ proptest! {
         let mesh = soup(vertices, triangles, &mut random);
         let sequence_options = RandomSequenceOptions { far_percent: far, base_position_count: 1 };
         let source = with_used_base(random_refinable(&mesh, sequence_options, &mut random));
-        let options = StreamOptions::default().with_effort(EFFORTS[seed as usize % 3]);
+        let options = StreamOptions::default().with_effort(EFFORTS[seed as usize % 2]);
         check_sequence(source, &options, seed);
     }
 
@@ -536,7 +535,7 @@ proptest! {
     fn decodes_sequences_of_assets_in_any_batches(seed: u64, pieces in 1usize..12) {
         let mesh = meshes::asset(pieces, seed);
         let built = build_sequence(&mesh, &SequenceOptions::default()).unwrap();
-        let options = StreamOptions::default().with_effort(EFFORTS[seed as usize % 3]);
+        let options = StreamOptions::default().with_effort(EFFORTS[seed as usize % 2]);
         check_sequence(built.refinable, &options, seed);
     }
 
@@ -572,7 +571,7 @@ proptest! {
         if has_seams {
             mesh = with_seams_and_groups(mesh);
         }
-        let options = StreamOptions::default().with_effort(EFFORTS[seed as usize % 3]);
+        let options = StreamOptions::default().with_effort(EFFORTS[seed as usize % 2]);
         check(&mesh, &options, seed);
     }
 
@@ -587,7 +586,7 @@ proptest! {
         if has_seams {
             mesh = with_seams_and_groups(mesh);
         }
-        let options = StreamOptions::default().with_effort(EFFORTS[seed as usize % 3]);
+        let options = StreamOptions::default().with_effort(EFFORTS[seed as usize % 2]);
         check(&mesh, &options, seed);
     }
 }

@@ -59,9 +59,8 @@ fn streams(mesh: &IndexedMesh) -> Result<Vec<NamedBytes>, Box<dyn Error>> {
     let built = build_batches(mesh, &BatchOptions::default().with_general_floor(0))?;
     let options = StreamOptions::default().with_precision(Precision::Bits(8));
     let forms = [
-        ("fast", options.clone().with_effort(Effort::Fast)),
-        ("default", options.clone()),
-        ("small", options.clone().with_effort(Effort::Small)),
+        ("fast", options.clone()),
+        ("compact", options.clone().with_effort(Effort::Compact)),
         ("exact", options.with_precision(Precision::Lossless)),
     ];
     let write = |(name, options)| {

@@ -53,7 +53,7 @@ fn encode_and_decode_report_their_results() {
     let bytes = bench.read("ball.stri").len();
     let vertex_count = number(&report, "vertex_count");
     assert_eq!(report["output_bytes"], bytes);
-    assert_eq!(report["effort"], "default");
+    assert_eq!(report["effort"], "fast");
     assert_eq!(report["stream"]["grid_bits"], 14);
     let bits = number(&report, "bits_per_vertex");
     assert!((bits - 8.0 * bytes as f64 / vertex_count).abs() < 1e-9, "{report}");
@@ -124,7 +124,7 @@ fn flags_control_precision_and_size() {
     let (exact, off) = encode("--lossless");
     assert_eq!(exact["stream"]["is_lossless"], true);
     assert!(off < 1e-12, "{off}");
-    for effort in ["fast", "default", "small"] {
+    for effort in ["fast", "compact"] {
         assert_eq!(encode(&format!("--effort {effort}")).0["effort"], effort);
     }
     let [few, many] = ["0.1", "1"].map(|share| {
@@ -164,7 +164,7 @@ fn every_verb_reads_streams() {
     assert_eq!(bench.json("info ball.stri")["kind"], "stri");
     let text = bench.run("info ball.stri").success();
     let text = String::from_utf8_lossy(&text.get_output().stdout).into_owned();
-    assert!(text.contains("default effort, 14 bits") && text.contains("stream read"), "{text}");
+    assert!(text.contains("fast effort, 14 bits") && text.contains("stream read"), "{text}");
     // The container has only the stream, and no mesh.
     let sections = bench.json("info ball.striata")["sections"].to_string();
     assert!(sections.contains("STRM") && !sections.contains("POSN"), "{sections}");

@@ -59,8 +59,8 @@ pub struct StreamArgs {
         help = bits_help(|l| l.color_bits, "Bits per color channel if colors are floats, 1 to 24"),
     )]
     color_bits: Option<u32>,
-    /// Compression effort: fast (decodes 3.4 to 4.6 million triangles/s), default (1.1 to 1.3 million; 6 to
-    /// 26 % smaller than fast) or small (0.35 million; 9 to 35 % smaller than fast) [default: default]
+    /// Compression effort: fast (decodes 3.5 to 4.2 million triangles/s; complete sooner on lines above 1 Mbit/s)
+    /// or compact (1.1 million; 6 to 26 % smaller, for slow lines and storage) [default: fast]
     #[arg(long, value_name = "EFFORT", hide_possible_values = true)]
     effort: Option<EffortArg>,
     /// Fraction of the vertices, cheapest first, that each batch of splits may use: more makes streams
@@ -78,13 +78,11 @@ pub struct StreamArgs {
 /// Compression effort of the encoder.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum EffortArg {
-    /// Fastest to decode
-    Fast,
-    /// A compromise of size and speed
+    /// Three times as fast to decode
     #[default]
-    Default,
-    /// Smallest stream
-    Small,
+    Fast,
+    /// Smaller streams
+    Compact,
 }
 
 impl StreamArgs {

@@ -115,7 +115,7 @@ pub(crate) struct RateArgs {
         long = "rate-efforts",
         value_name = "EFFORT,...",
         value_delimiter = ',',
-        default_value = "fast,default,small",
+        default_value = "fast,compact",
         hide_possible_values = true
     )]
     efforts: Vec<EffortArg>,

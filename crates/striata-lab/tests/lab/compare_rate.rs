@@ -12,7 +12,7 @@ fn number(report: &Value, key: &str) -> f64 {
 fn distances_are_reported_for_numbers_of_bytes() {
     let bench = Workbench::new();
     bench.write("sphere.obj", sphere(20, 20));
-    let line = "compare sphere.obj --rate --rate-bits 10 --rate-efforts fast,small --html rate.html --json";
+    let line = "compare sphere.obj --rate --rate-bits 10 --rate-efforts fast,compact --html rate.html --json";
     let assert = bench.command(line).env("PATH", "").assert().success();
     let report: Value = serde_json::from_slice(&assert.get_output().stdout).expect("JSON on stdout");
     let mesh = &report["meshes"][0];
@@ -21,7 +21,7 @@ fn distances_are_reported_for_numbers_of_bytes() {
         let rows = mesh["rate"].as_array().expect("rows").iter();
         rows.filter(|row| row["name"] == name).collect()
     };
-    for name in ["striata fast", "striata small", "levels, striata default"] {
+    for name in ["striata fast", "striata compact", "levels, striata compact"] {
         let rows = rows(name);
         assert!(rows.len() >= 3, "{name}: {rows:?}");
         for pair in rows.windows(2) {
@@ -40,7 +40,7 @@ fn distances_are_reported_for_numbers_of_bytes() {
     }
     let sizes = mesh["sizes"].as_array().expect("rows");
     for bits in [12, 14] {
-        let row = sizes.iter().find(|row| row["name"] == "striata small" && row["bits"] == bits);
+        let row = sizes.iter().find(|row| row["name"] == "striata compact" && row["bits"] == bits);
         assert!(row.is_some_and(|row| number(row, "bytes") > 100.0 && row.get("ratio_to_draco").is_none()));
     }
     let page = String::from_utf8(bench.read("rate.html")).expect("text");

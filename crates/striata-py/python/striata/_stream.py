@@ -18,7 +18,7 @@ from ._scene import LodScene, Scene
 from ._targets import count, length
 
 #: Trade-off between speed of decoding and size.
-Effort = Literal["fast"] | Literal["default"] | Literal["small"]
+Effort = Literal["fast"] | Literal["compact"]
 
 
 def encode(
@@ -28,7 +28,7 @@ def encode(
     bits: int = 14,
     tolerance: float | None = None,
     lossless: bool = False,
-    effort: Effort = "default",
+    effort: Effort = "fast",
     preview_side: int = 128,
     progress: Progress = False,
 ) -> bytes:
@@ -46,8 +46,9 @@ def encode(
         Instead of `bits`: how far a point may move, in mesh units.
     lossless : bool
         Instead of `bits`: whether to keep every bit of points and attributes.
-    effort : {"fast", "default", "small"}
-        Trade-off between speed of decoding and size.
+    effort : {"fast", "compact"}
+        ``"fast"`` decodes three times as quickly, ``"compact"`` is a tenth to a quarter smaller: for slow lines and
+        storage.
     preview_side : int
         Scenes only: longest side of the previews of textures, in pixels.
 

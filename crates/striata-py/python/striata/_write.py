@@ -16,7 +16,7 @@ from ._warn import warn
 Path = str | os.PathLike[str]
 
 #: Precision and effort of streams that are written to files, as `encode_mesh` takes them.
-DEFAULT_QUALITY = (14, None, "default")
+DEFAULT_QUALITY = (14, None, "fast")
 #: Longest side of the previews of textures in such streams, in pixels.
 DEFAULT_PREVIEW_SIDE = 128
 

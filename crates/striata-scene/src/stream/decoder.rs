@@ -119,6 +119,16 @@ impl SceneStreamDecoder {
         }
     }
 
+    fn not_drawable(&self) -> SceneStreamError {
+        // The document follows the header.
+        let document = || PacketHead::read(&self.waiting, self.read).ok().flatten();
+        let header = HEADER_BYTES as u64;
+        let needed = self
+            .drawable_at()
+            .unwrap_or_else(|| header + document().map_or(1, |packet| packet.whole_bytes()));
+        SceneStreamError::NotDrawable { found: self.received(), needed }
+    }
+
     fn malformed(&self, reason: &str) -> SceneStreamError {
         SceneStreamError::Packet { offset: self.read, reason: reason.to_owned() }
     }
@@ -176,9 +186,10 @@ impl SceneStreamDecoder {
         }
         self.is_over = true;
         let mut update = SceneStreamUpdate::default();
-        let Some(received) = &mut self.received else {
-            return Err(SceneStreamError::NotDrawable { missing: "the document" });
-        };
+        if self.received.is_none() {
+            return Err(self.not_drawable());
+        }
+        let Some(received) = &mut self.received else { return Ok(update) };
         let waiting = std::mem::take(&mut self.waiting);
         if let Some(packet) = PacketHead::read(&waiting, self.read)?.filter(|p| p.kind == PacketKind::Mesh) {
             let (mesh, payload) = (packet.index as usize, &waiting[packet.head_bytes..]);
@@ -246,6 +257,14 @@ impl SceneStreamDecoder {
             let mut meshes = received.meshes.iter().flatten();
             received.parts[0].is_some() && meshes.all(ReceivedMesh::has_base)
         })
+    }
+
+    /// Checks that every mesh has its base, and that everything else that drawing needs has arrived.
+    ///
+    /// # Errors
+    /// [`SceneStreamError::NotDrawable`] if not.
+    pub fn check_drawable(&self) -> Result<(), SceneStreamError> {
+        if self.is_drawable() { Ok(()) } else { Err(self.not_drawable()) }
     }
 
     /// The glTF document, without the data of geometry and images; [`None`] before it has arrived.
@@ -337,6 +356,6 @@ impl SceneStreamDecoder {
     }
 
     fn received_parts(&self) -> Result<&Received, SceneStreamError> {
-        self.received.as_deref().ok_or(SceneStreamError::NotDrawable { missing: "the document" })
+        self.received.as_deref().ok_or_else(|| self.not_drawable())
     }
 }

@@ -95,11 +95,13 @@ pub enum SceneStreamError {
     /// A mesh, an image or the buffer contradicts the document.
     #[error(transparent)]
     Scene(#[from] SceneError),
-    /// The scene cannot be drawn yet.
-    #[error("the scene cannot be drawn yet: {missing} has not arrived")]
+    /// The scene cannot be drawn yet: more bytes have to arrive.
+    #[error("not complete yet: a first picture needs at least {needed} bytes, and {found} are there")]
     NotDrawable {
-        /// Name of the missing part.
-        missing: &'static str,
+        /// Number of bytes that have arrived.
+        found: u64,
+        /// Length of the prefix that shows every mesh; of the document, while that is not known. Bytes.
+        needed: u64,
     },
     /// The decoder accepts no more bytes after an error or after `finish`.
     #[error("the decoder accepts no more bytes after an error or after finish")]

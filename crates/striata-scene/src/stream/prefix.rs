@@ -88,14 +88,12 @@ fn empty_mesh(group_count: u32) -> IndexedMesh {
 fn buffer_of(received: &Received, bytes: u64, document: &mut Value) -> Result<Vec<u8>, SceneStreamError> {
     let length = received.head.buffer_bytes();
     let is_missing = |part: usize| received.parts[part].is_none() && !received.head.buffer[part].is_empty();
-    let not_drawable = |missing| Err(SceneStreamError::NotDrawable { missing });
-    if is_missing(0) {
-        return not_drawable("the buffer");
+    let is_zeroed_too_long = length > ZEROED_BYTES.max(bytes.saturating_mul(ZEROED_PER_BYTE));
+    if is_missing(0) || is_missing(1) && is_zeroed_too_long {
+        let drawable_at = received.document_end.saturating_add(received.head.base_bytes);
+        return Err(SceneStreamError::NotDrawable { found: bytes, needed: drawable_at.max(bytes + 1) });
     }
     if is_missing(1) {
-        if length > ZEROED_BYTES.max(bytes.saturating_mul(ZEROED_PER_BYTE)) {
-            return not_drawable("the data of animations");
-        }
         remove_animations(document);
     }
     let mut buffer = vec![0; usize::try_from(length).unwrap_or(0)];

@@ -1,13 +1,11 @@
-//! [`LearnedCuts`]: cuts around vertices with few triangles, for the default effort. A faster form of the
-//! log-linear model of `cut_model.rs`.
+//! [`LearnedCuts`]: cuts around vertices with few triangles, for the compact effort, by a log-linear model.
 //!
 //! Scores are sums over the edges and triangles of a run, so each is the sum of a term for the start of the
 //! run, one for its end and one for its length. A run is coded as two symbols, its length and then its start,
 //! with shares proportional to the exponentials of the scores. All weights then move along the gradient.
 
+use super::arithmetic::{SCORE_ONE, cross, dot, dot_wide, exponential, log2_wide, mean};
 use super::ranked_cuts::MAX_RING;
-use super::ring::{cross, dot, dot_wide, log2_wide, mean};
-use super::softmax::{SCORE_ONE, exponential};
 use crate::entropy::{Coder, Shares, log2_q8};
 
 /// Features of an edge: ranges in one table, which has a weight for end edges and one for inner edges.

@@ -2,11 +2,9 @@
 //!
 //! Each prediction is given as log-odds. Their weighted sum is the log-odds of the mixed prediction; after
 //! the decision, each weight moves along the gradient that lowers its coding cost \[Mah05\]. A small
-//! context selects among sets of weights, each of which learns quickly at first. [`ProbabilityMap`] then
-//! corrects the mixed probability by what has actually followed similar predictions in another small
-//! context, which a weighted sum cannot express.
+//! context selects among sets of weights, each of which learns quickly at first.
 
-use super::logistic::{LOG_ODDS_LIMIT, LOG_ODDS_ONE, probability};
+use super::logistic::{LOG_ODDS_LIMIT, probability};
 
 /// The weight 1.
 const WEIGHT_ONE: i32 = 1 << 16;
@@ -78,54 +76,6 @@ impl<const N: usize> Mixer<N> {
     }
 }
 
-const INTERVALS: usize = 24;
-/// Width of an interval of log-odds.
-const INTERVAL_WIDTH: i32 = LOG_ODDS_ONE / 2;
-
-/// Maps predicted probabilities to observed ones, per context (an adaptive probability map).
-#[derive(Clone, Debug)]
-pub(crate) struct ProbabilityMap {
-    /// For each context, the observed probability at each interval boundary of log-odds, in 1/65536.
-    steps: Vec<[u16; INTERVALS + 1]>,
-    /// Context and lower boundary of the last decision, and its distance above that boundary.
-    context: usize,
-    low: usize,
-    above: i32,
-}
-
-impl ProbabilityMap {
-    /// Starts with the identity in every context.
-    pub(crate) fn new(context_count: usize) -> Self {
-        let middle = INTERVALS as i32 / 2;
-        let identity = std::array::from_fn(|at| probability((at as i32 - middle) * INTERVAL_WIDTH) as u16);
-        Self { steps: vec![identity; context_count.max(1)], context: 0, low: 0, above: 0 }
-    }
-
-    /// Returns the mean of the predicted probability and the one observed in this context, in 1/65536; the
-    /// prediction is given as log-odds in 1/256.
-    #[inline]
-    pub(crate) fn refine(&mut self, log_odds: i32, context: usize) -> u32 {
-        let limit = INTERVALS as i32 / 2 * INTERVAL_WIDTH;
-        let offset = log_odds.clamp(-limit, limit - 1) + limit;
-        self.context = context;
-        self.low = (offset / INTERVAL_WIDTH) as usize;
-        self.above = offset % INTERVAL_WIDTH;
-        let steps = &self.steps[context];
-        let [low, high] = [steps[self.low], steps[self.low + 1]].map(i32::from);
-        let refined = (low * (INTERVAL_WIDTH - self.above) + high * self.above) / INTERVAL_WIDTH;
-        ((refined as u32 + probability(log_odds)) / 2).clamp(MIN_PROBABILITY, 65536 - MIN_PROBABILITY)
-    }
-
-    /// Learns the outcome of the decision refined last.
-    #[inline]
-    pub(crate) fn update(&mut self, bit: bool) {
-        let nearer = self.low + usize::from(self.above >= INTERVAL_WIDTH / 2);
-        let step = &mut self.steps[self.context][nearer];
-        let target = if bit { 65535 } else { 0 };
-        *step = (i32::from(*step) + ((target - i32::from(*step)) >> 6)) as u16;
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use striata::mesh::Random;
@@ -160,35 +110,13 @@ mod tests {
     }
 
     #[test]
-    fn probability_map_corrects_predictions_of_one_context() {
-        let mut random = Random::new(8);
-        let mut probability_map = ProbabilityMap::new(2);
-        let (mut plain, mut refined) = ([0.0; 2], [0.0; 2]);
-        for at in 0..40_000 {
-            let p = 2000 + random.below(60_000);
-            let context = at % 2;
-            // The prediction is too cautious, but only in context 1.
-            let predicted = log_odds(p) / (1 + context as i32);
-            let bit = random.below(65536) < p;
-            plain[context] += cost(probability(predicted), bit);
-            refined[context] += cost(probability_map.refine(predicted, context), bit);
-            probability_map.update(bit);
-        }
-        assert!(refined[0] < plain[0] * 1.005, "{refined:?} for {plain:?}");
-        assert!(refined[1] < plain[1] * 0.975, "{refined:?} for {plain:?}");
-    }
-
-    #[test]
     fn extreme_inputs_stay_in_range() {
         let mut mixer = Mixer::new(1, [WEIGHT_LIMIT; 4]);
-        let mut probability_map = ProbabilityMap::new(1);
         for at in 0..3000 {
             let sign = if at % 3 == 0 { -1 } else { 1 };
-            let mixed = mixer.mix(&[LOG_ODDS_LIMIT * sign; 4], 0);
+            mixer.mix(&[LOG_ODDS_LIMIT * sign; 4], 0);
             assert!((1..65536).contains(&mixer.p_one()));
-            assert!((1..65536).contains(&probability_map.refine(mixed, 0)));
             mixer.update(at % 2 == 0);
-            probability_map.update(at % 5 == 0);
         }
     }
 }

@@ -12,8 +12,7 @@
 //! | `range.rs` | the range coder: [`RangeWriter`], [`RangeReader`] |
 //! | `adaptive.rs` | [`AdaptiveBit`]: the probability of one decision, learned quickly at first |
 //! | `logistic.rs` | conversion between probabilities and log-odds, by integer tables |
-//! | `mixer.rs` | `Mixer`: online mixing of predictions; `ProbabilityMap`: correction of the result |
-//! | `wide_mixer.rs` | `WideMixer`: a mixer in 16-bit lanes |
+//! | `mixer.rs` | `Mixer`: online mixing of predictions |
 //! | `symbol.rs` | [`AdaptiveSymbol`]: one of sixteen symbols |
 //! | `number.rs` | [`AdaptiveNumber`]: integers of any size |
 //! | `quick_number.rs` | [`QuickNumber`]: integers of any size, with few operations |
@@ -28,16 +27,13 @@ mod number;
 mod quick_number;
 mod range;
 mod symbol;
-mod wide_mixer;
 
 pub use adaptive::{AdaptiveBit, Rate};
 pub use coder::{Coder, PART_COUNT, Part, SYMBOLS, Shares};
-pub(crate) use logistic::{log_odds, log2_q8, log2_q16};
+pub(crate) use logistic::{log2_q8, log2_q16};
 pub(crate) use mixed_number::MixedNumber;
-pub(crate) use mixer::{Mixer, ProbabilityMap};
 pub use number::{AdaptiveNumber, code_uniform};
 pub use quick_number::QuickNumber;
 pub use range::{RangeReader, RangeWriter};
 pub use symbol::AdaptiveSymbol;
 pub(crate) use symbol::{code_by_two, code_shares};
-pub(crate) use wide_mixer::WideMixer;

@@ -26,7 +26,15 @@ pub enum DecodeError {
         /// Supported version.
         supported: u32,
     },
-    /// The stream is longer than its header says, or ends within the header.
+    /// The bytes end before the first mesh does: more of them have to arrive.
+    #[error("not complete yet: a first mesh needs at least {needed} bytes, and {found} are there")]
+    Incomplete {
+        /// Number of bytes given.
+        found: u64,
+        /// Number of bytes up to the end of the base mesh; of the header, while that is not known.
+        needed: u64,
+    },
+    /// The stream is longer than its header says.
     #[error("the stream has {found} bytes, expected {expected}")]
     FileLength {
         /// Number of bytes given.
@@ -63,6 +71,7 @@ impl From<DecodeError> for file::DecodeError {
         match error {
             DecodeError::Magic { found } => Self::Magic { found },
             DecodeError::Version { found, supported } => Self::Version { found, supported },
+            DecodeError::Incomplete { found, needed } => Self::Incomplete { found, needed },
             DecodeError::FileLength { found, expected } => Self::FileLength { found, expected },
             DecodeError::HeaderChecksum { found, expected } => Self::HeaderChecksum { found, expected },
             DecodeError::Malformed { offset, reason } => {

@@ -6,7 +6,7 @@ use striata::file::{
 };
 use striata::ignore_progress;
 
-use crate::format::error::{DecodeError, StreamDefect};
+use crate::format::error::DecodeError;
 use crate::format::info::StreamInfo;
 use crate::reader::decode::StreamDecoder;
 
@@ -86,19 +86,12 @@ impl StreamCodec for FileCodec {
 }
 
 fn read_head(bytes: &[u8]) -> Result<StreamHead, DecodeError> {
-    let found = bytes.len() as u64;
-    let Some(info) = StreamInfo::read(bytes)? else {
-        return Err(DecodeError::FileLength { found, expected: found + 1 });
-    };
+    let (info, found) = (StreamInfo::with_base(bytes)?, bytes.len() as u64);
     if info.stream_bytes < found {
         return Err(DecodeError::FileLength { found, expected: info.stream_bytes });
     }
-    let base = usize::try_from(info.base_bytes).ok().and_then(|length| bytes.get(..length));
-    let Some(base) = base else {
-        return Err(StreamDefect::NoBase.into());
-    };
     let mut decoder = StreamDecoder::new();
-    decoder.push(base)?;
+    decoder.push(&bytes[..info.base_bytes as usize])?;
     let mut summary = Summary::default();
     summary.vertex_count = info.vertex_count;
     summary.position_count = info.position_count;

@@ -167,8 +167,7 @@ impl StreamHeader {
         let mut out = STREAM_MAGIC.to_vec();
         let effort = match self.effort {
             Effort::Fast => 0,
-            Effort::Default => 1,
-            Effort::Small => 2,
+            Effort::Compact => 1,
         };
         out.extend([VERSION, effort]);
         let has_origin = self.origin != [0.0; 3];
@@ -253,8 +252,7 @@ impl StreamHeader {
         reader.bytes(5)?;
         let effort = match reader.u8()? {
             0 => Effort::Fast,
-            1 => Effort::Default,
-            2 => Effort::Small,
+            1 => Effort::Compact,
             _ => return Err(reader.malformed("unknown effort")),
         };
         let flags = reader.bytes(2)?;

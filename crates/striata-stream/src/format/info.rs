@@ -2,7 +2,7 @@
 
 use crate::format::effort::Effort;
 use crate::format::error::DecodeError;
-use crate::format::header::{ChunkEntry, StreamHeader, header_length};
+use crate::format::header::{ChunkEntry, FIXED_HEADER_BYTES, StreamHeader, header_length};
 
 /// Counts, sizes and settings of a stream, read from its header without decoding anything.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -68,6 +68,19 @@ impl StreamInfo {
             return Ok(None);
         };
         Ok(Some(Self::of(&StreamHeader::from_bytes(header)?)))
+    }
+
+    /// Reads the header of a stream whose base mesh has to be there.
+    ///
+    /// # Errors
+    /// See [`read`](Self::read), and [`DecodeError::Incomplete`] if `bytes` ends within the header or the base mesh.
+    pub(crate) fn with_base(bytes: &[u8]) -> Result<Self, DecodeError> {
+        let found = bytes.len() as u64;
+        let incomplete = |needed| Err(DecodeError::Incomplete { found, needed });
+        let Some(info) = Self::read(bytes)? else {
+            return incomplete(header_length(bytes)?.unwrap_or(FIXED_HEADER_BYTES) as u64);
+        };
+        if found < info.base_bytes { incomplete(info.base_bytes) } else { Ok(info) }
     }
 
     /// Returns the properties that a header states.

@@ -391,7 +391,7 @@ mod tests {
         let sites = sites(30, 1);
         let layers = smooth_layers(&sites);
         let most = [5.8, 6.0, 10.5, 2.6, 0.3, 5.0, 0.3];
-        for effort in [Effort::Fast, Effort::Default, Effort::Small] {
+        for effort in [Effort::Fast, Effort::Compact] {
             let found = bits(&sites, &layers, &LayerOptions::default(), effort);
             assert!(found.iter().zip(most).all(|(found, most)| *found < most), "{effort:?}: {found:?}");
         }
@@ -402,10 +402,10 @@ mod tests {
         let sites = sites(20, 4);
         let mut layers = smooth_layers(&sites);
         let options = LayerOptions::default();
-        let before = bits_together(&sites, &layers, &options, Effort::Default);
+        let before = bits_together(&sites, &layers, &options, Effort::Compact);
         layers.reverse();
         // Weights now precede their joints, and tangents the layers they are predicted from.
-        let after = bits_together(&sites, &layers, &options, Effort::Default);
+        let after = bits_together(&sites, &layers, &options, Effort::Compact);
         assert!((before - after).abs() < 0.05, "{before} became {after}");
     }
 
@@ -413,7 +413,7 @@ mod tests {
     fn random_layers_are_decoded_exactly() {
         let sites = sites(16, 2);
         let options = LayerOptions::default();
-        for effort in [Effort::Fast, Effort::Small] {
+        for effort in [Effort::Fast, Effort::Compact] {
             let found = bits(&sites, &random_layers(sites.len()), &options, effort);
             let least = [17.0, 88.0, 60.0, 60.0, 30.0];
             assert!(found.iter().zip(least).all(|(found, least)| *found < 1.2 * least + 8.0), "{found:?}");
@@ -434,7 +434,7 @@ mod tests {
             layers.iter().map(|layer| LayerForm::of(layer, &LayerOptions::default())).collect();
         for length in [0, 1, 10, 100, 1000, 5000] {
             let bytes: Vec<u8> = (0..length).map(|_| random.next_u64() as u8).collect();
-            let values = code(&mut RangeReader::new(&bytes, true), &sites, &forms, None, Effort::Default);
+            let values = code(&mut RangeReader::new(&bytes, true), &sites, &forms, None, Effort::Compact);
             for (form, values) in forms.iter().zip(values) {
                 assert_eq!(values.vertex_count(), sites.len());
                 let mut layer = form.empty_layer();

@@ -37,19 +37,15 @@ impl Width {
     }
 }
 
-/// Returns the mass of a density below `x` for bumps of each width, in 1/8192 of their weights.
+/// Returns the mass of a density below `x`, in 1/8192 of the weights of its bumps.
 #[inline]
-pub(super) fn below<const N: usize>(density: &[Bumps], x: i16, widths: &[Width; N]) -> [i32; N] {
-    let mut masses = [0; N];
-    for (mass, width) in masses.iter_mut().zip(widths) {
-        let mut sum = i32x4::ZERO;
-        for bumps in density {
-            let off = i16x8::splat(x).saturating_sub(i16x8::new(bumps.at));
-            sum += i16x8::new(bumps.weight).dot(width.below(off));
-        }
-        *mass = sum.to_array().iter().sum();
+pub(super) fn below(density: &[Bumps], x: i16, width: Width) -> i32 {
+    let mut sum = i32x4::ZERO;
+    for bumps in density {
+        let off = i16x8::splat(x).saturating_sub(i16x8::new(bumps.at));
+        sum += i16x8::new(bumps.weight).dot(width.below(off));
     }
-    masses
+    sum.to_array().iter().sum()
 }
 
 #[cfg(test)]
@@ -60,9 +56,8 @@ mod tests {
     fn mass_grows_from_zero_to_the_total() {
         let bumps = Bumps { at: [-900, 0, 0, 5, 900, 0, 0, 0], weight: [100, 3000, 0, 7, 2000, 0, 0, 0] };
         for width in 0..=13 {
-            let width = [Width::new(width)];
-            let masses: Vec<i32> =
-                (-20_000..20_000).step_by(7).map(|x| below(&[bumps], x, &width)[0]).collect();
+            let width = Width::new(width);
+            let masses: Vec<i32> = (-20_000..20_000).step_by(7).map(|x| below(&[bumps], x, width)).collect();
             assert!(masses.is_sorted());
             assert_eq!(masses[0], 0);
             let all = masses[masses.len() - 1];
@@ -74,9 +69,9 @@ mod tests {
     fn half_of_a_bump_lies_below_its_middle() {
         let bumps = Bumps { at: [100; LANES], weight: [1000, 0, 0, 0, 0, 0, 0, 0] };
         let widths = [Width::new(6), Width::new(10)];
-        assert_eq!(below(&[bumps], 100, &widths), [4096 * 1000; 2]);
+        assert_eq!(widths.map(|width| below(&[bumps], 100, width)), [4096 * 1000; 2]);
         // A triangle: an eighth lies beyond half its reach.
-        let [narrow, wide] = below(&[bumps; 2], 132, &widths);
+        let [narrow, wide] = widths.map(|width| below(&[bumps; 2], 132, width));
         assert!((narrow - 7168 * 2000).abs() <= 4000, "{narrow}");
         assert!(wide < 5000 * 2000, "{wide}");
     }

@@ -8,7 +8,7 @@
 
 use wide::{i16x8, i32x4};
 
-use super::axis::{AxisCoder, AxisInput, CONTEXTS, DISTANCES, SIZES, SPREADS};
+use super::axis::{AxisInput, CONTEXTS, DISTANCES, SIZES, SPREADS};
 use super::bumps::{Bumps, Width, below};
 use crate::entropy::{AdaptiveBit, AdaptiveNumber, Coder, Rate, Shares, code_shares, log2_q16};
 
@@ -110,8 +110,37 @@ impl CellModel {
         }
     }
 
+    /// Codes a grid coordinate.
+    pub(super) fn code<C: Coder>(&mut self, coder: &mut C, axis: &AxisInput<'_>, actual: i32) -> i32 {
+        let span_log = (11 - axis.local.shift - i32::from(axis.is_last)).clamp(1, 29) as u32;
+        let step_log = span_log.saturating_sub(SPAN_LOG);
+        let scores = density_scores(axis, step_log);
+        let actual = actual.wrapping_sub(axis.center);
+        let flip = if axis.is_mirrored { CELLS - 1 } else { 0 };
+        let actual_cell = ENDS.iter().filter(|&&end| actual >= end << step_log).count() ^ flip;
+        let cell = self.cell(coder, axis, &scores, actual_cell) ^ flip;
+        let off = if cell == 0 {
+            let beyond = (ENDS[0] << step_log).wrapping_sub(1).wrapping_sub(actual) as u32;
+            (ENDS[0] << step_log)
+                .wrapping_sub(1)
+                .wrapping_sub(self.far.unsigned(coder, axis.size, beyond) as i32)
+        } else if cell == CELLS - 1 {
+            let first = ENDS[CELLS - 2] << step_log;
+            let beyond = actual.wrapping_sub(first) as u32;
+            first.wrapping_add(self.far.unsigned(coder, SIZES + axis.size, beyond) as i32)
+        } else {
+            self.within(
+                coder,
+                axis,
+                GridSpan { low: ENDS[cell - 1] << step_log, high: ENDS[cell] << step_log },
+                actual,
+            )
+        };
+        axis.center.wrapping_add(off)
+    }
+
     /// Returns the weights of an axis's four contexts.
-    fn contexts(&mut self, axis: &AxisInput<'_, 1, 1>) -> [&mut CellWeights; 4] {
+    fn contexts(&mut self, axis: &AxisInput<'_>) -> [&mut CellWeights; 4] {
         [
             &mut self.by_size[axis.size],
             &mut self.by_context[axis.context],
@@ -125,7 +154,7 @@ impl CellModel {
     fn cell<C: Coder>(
         &mut self,
         coder: &mut C,
-        axis: &AxisInput<'_, 1, 1>,
+        axis: &AxisInput<'_>,
         density: &CellScores,
         actual_cell: usize,
     ) -> usize {
@@ -153,15 +182,14 @@ impl CellModel {
     fn within<C: Coder>(
         &mut self,
         coder: &mut C,
-        axis: &AxisInput<'_, 1, 1>,
+        axis: &AxisInput<'_>,
         GridSpan { mut low, mut high }: GridSpan,
         actual: i32,
     ) -> i32 {
         if high - low < 2 {
             return low;
         }
-        let width = axis.widths;
-        let mass = |off: i32| below_all(axis, off, &width);
+        let mass = |off: i32| below_all(axis, off);
         let [mut below_low, mut below_high] = [low, high].map(mass);
         while high - low > 1 {
             let middle = low.midpoint(high);
@@ -265,21 +293,20 @@ static LOCAL_ENDS: [[i16; CELLS]; 16 - LEAST_STEP_LOG as usize] = {
 const LEAST_STEP_LOG: u32 = 4;
 
 /// Returns the mass of the density below a coordinate, given relative to the center.
-fn below_all(axis: &AxisInput<'_, 1, 1>, off: i32, width: &[Width; 1]) -> i32 {
-    let x = axis.local.border(axis.center.wrapping_add(off), axis.axis);
-    below(axis.bumps, x, width)[0]
+fn below_all(axis: &AxisInput<'_>, off: i32) -> i32 {
+    below(axis.bumps, axis.local.border(axis.center.wrapping_add(off), axis.axis), axis.width)
 }
 
 /// Returns the density's score of each cell, in the order in which counters see the cells.
 #[inline]
-fn density_scores(axis: &AxisInput<'_, 1, 1>, step_log: u32) -> CellScores {
+fn density_scores(axis: &AxisInput<'_>, step_log: u32) -> CellScores {
     let local_log = (step_log as i32 + axis.local.shift - LEAST_STEP_LOG as i32).max(0) as usize;
     let center = i16x8::splat(axis.local.border(axis.center, axis.axis));
     let (low, high) = LOCAL_ENDS[local_log.min(LOCAL_ENDS.len() - 1)].split_at(8);
     let ends = [low, high].map(|ends| i16x8::from_slice_unaligned(ends).saturating_add(center));
     let flip = if axis.is_mirrored { CELLS - 1 } else { 0 };
     let (mut scores, mut below) = ([0; CELLS], 0);
-    for (cell, &sum) in below_ends(axis.bumps, ends, axis.widths[0]).iter().enumerate() {
+    for (cell, &sum) in below_ends(axis.bumps, ends, axis.width).iter().enumerate() {
         let mass = (sum - below).max(0) as usize >> MASS_LOG;
         scores[cell ^ flip] = LOGARITHMS[mass.min(LOGARITHMS.len() - 1)];
         below = sum;
@@ -307,40 +334,6 @@ fn below_ends(density: &[Bumps], ends: [i16x8; 2], width: Width) -> [i16; CELLS]
     all[..8].copy_from_slice(sums[0].as_array());
     all[8..].copy_from_slice(sums[1].as_array());
     all
-}
-
-impl AxisCoder<1, 1> for CellModel {
-    fn new() -> Self {
-        Self::new()
-    }
-
-    fn code<C: Coder>(&mut self, coder: &mut C, axis: &AxisInput<'_, 1, 1>, actual: i32) -> i32 {
-        let span_log = (11 - axis.local.shift - i32::from(axis.is_last)).clamp(1, 29) as u32;
-        let step_log = span_log.saturating_sub(SPAN_LOG);
-        let scores = density_scores(axis, step_log);
-        let actual = actual.wrapping_sub(axis.center);
-        let flip = if axis.is_mirrored { CELLS - 1 } else { 0 };
-        let actual_cell = ENDS.iter().filter(|&&end| actual >= end << step_log).count() ^ flip;
-        let cell = self.cell(coder, axis, &scores, actual_cell) ^ flip;
-        let off = if cell == 0 {
-            let beyond = (ENDS[0] << step_log).wrapping_sub(1).wrapping_sub(actual) as u32;
-            (ENDS[0] << step_log)
-                .wrapping_sub(1)
-                .wrapping_sub(self.far.unsigned(coder, axis.size, beyond) as i32)
-        } else if cell == CELLS - 1 {
-            let first = ENDS[CELLS - 2] << step_log;
-            let beyond = actual.wrapping_sub(first) as u32;
-            first.wrapping_add(self.far.unsigned(coder, SIZES + axis.size, beyond) as i32)
-        } else {
-            self.within(
-                coder,
-                axis,
-                GridSpan { low: ENDS[cell - 1] << step_log, high: ENDS[cell] << step_log },
-                actual,
-            )
-        };
-        axis.center.wrapping_add(off)
-    }
 }
 
 #[cfg(test)]
@@ -376,12 +369,12 @@ mod tests {
     }
 
     /// A density of one bump, and an axis centered on it.
-    fn axis<'a>(local: &'a LocalRing, bumps: &'a [Bumps], is_mirrored: bool) -> AxisInput<'a, 1, 1> {
+    fn axis<'a>(local: &'a LocalRing, bumps: &'a [Bumps], is_mirrored: bool) -> AxisInput<'a> {
         AxisInput {
             local,
             axis: 0,
             bumps,
-            widths: [Width::new(7)],
+            width: Width::new(7),
             center: 40,
             is_mirrored,
             is_last: false,

@@ -5,30 +5,25 @@
 //! weight of each kind of guess is learned.
 //!
 //! ```text
-//!         apex -- left
-//!        /    \  /  \          inside:  r0 + r2 - r1        moved:     r2 + left - apex
-//!      r0 ---- r1 -- beyond    across:  r0 + r1 - apex      straight:  2 r1 - beyond
-//!        \    /  \  /          middle:  (r0 + r3) / 2
-//!          v --- r2
+//!        apex
+//!        /  \
+//!      r0 -- r1        inside:  r0 + r2 - r1
+//!        \  /  \       across:  r0 + r1 - apex
+//!          v -- r2     middle:  (r0 + r3) / 2
 //! ```
 
 use super::local::{LANES, LocalRing, Point};
 
 /// Number of kinds of guesses.
-pub(super) const KINDS: usize = 6;
+pub(super) const KINDS: usize = 4;
 /// Kind: parallelograms of three consecutive ring vertices.
 pub(super) const INSIDE: usize = 0;
 /// Kind: parallelograms across ring edges.
 pub(super) const ACROSS: usize = 1;
 /// Kind: center of the ring, and midpoints of opposite ring vertices.
 pub(super) const MIDDLE: usize = 2;
-/// Kind: ring vertices moved along edges of the second ring. Replaced by heights of planes once the other
-/// two axes are known.
-pub(super) const MOVED: usize = 3;
-/// Kind: points mirrored at a ring vertex.
-pub(super) const STRAIGHT: usize = 4;
-/// Kind: ring vertices moved along edges of the second ring in the other direction.
-const TURNED: usize = 5;
+/// Kind: heights of the planes across ring edges, once the other two coordinates are known.
+pub(super) const PLANES: usize = 3;
 
 /// Guesses of one kind, one per lane.
 #[derive(Clone, Copy, Debug, Default)]
@@ -62,7 +57,7 @@ fn middle(a: Point, b: Point) -> Point {
     [0, 1, 2].map(|i| (a[i] + b[i]) >> 1)
 }
 
-/// Makes the guesses of all kinds.
+/// Makes the guesses of all kinds but the heights of planes.
 pub(super) fn guess(local: &LocalRing, guesses: &mut [Guesses; KINDS]) {
     guesses.iter_mut().for_each(|g| g.count = 0);
     let n = local.count;
@@ -74,9 +69,6 @@ pub(super) fn guess(local: &LocalRing, guesses: &mut [Guesses; KINDS]) {
         if let (Some(next), Some(apex)) = (next, local.apexes[i]) {
             guesses[ACROSS].push(corner(here, next, apex));
         }
-        if let Some(beyond) = opposite(local, i) {
-            guesses[STRAIGHT].push(corner(here, here, beyond));
-        }
         if n < 4 {
             continue;
         }
@@ -86,29 +78,6 @@ pub(super) fn guess(local: &LocalRing, guesses: &mut [Guesses; KINDS]) {
         if let (true, Some(there)) = (n % 2 == 1 || 2 * i < n, local.ring[wrap(i + n / 2)]) {
             guesses[MIDDLE].push(middle(here, there));
         }
-        if let (true, Some(apex)) = (n >= 5, local.apexes[i]) {
-            let [left, right] = local.beyond[i];
-            if let (Some(left), Some(after)) = (left, after) {
-                guesses[MOVED].push(corner(after, left, apex));
-            }
-            if let (Some(right), Some(before)) = (right, local.ring[wrap(i + n - 1)]) {
-                guesses[TURNED].push(corner(before, right, apex));
-            }
-        }
-    }
-}
-
-/// Returns the point on the opposite side of a ring vertex from the new vertex.
-fn opposite(local: &LocalRing, i: usize) -> Option<Point> {
-    let before = if i == 0 { local.count - 1 } else { i - 1 };
-    let pair = if local.is_narrow[i] {
-        [local.apexes[i], local.apexes[before]]
-    } else {
-        [local.beyond[i][0], local.beyond[before][1]]
-    };
-    match pair {
-        [Some(p), Some(q)] => Some(middle(p, q)),
-        [p, q] => p.or(q),
     }
 }
 
@@ -137,7 +106,6 @@ mod tests {
         let mut local = LocalRing { count: 6, ring, ..LocalRing::default() };
         for i in 0..6 {
             local.apexes[i] = Some(sum(i, i + 1));
-            local.beyond[i] = [Some(sum(i, i)), Some(sum(i + 1, i + 1))];
         }
         local
     }
@@ -146,7 +114,7 @@ mod tests {
     fn all_guesses_agree_on_a_regular_lattice() {
         let mut guesses = [Guesses::default(); KINDS];
         guess(&regular(), &mut guesses);
-        assert_eq!(guesses.map(|g| g.count), [6, 6, 4, 6, 6, 6]);
+        assert_eq!(guesses.map(|g| g.count), [6, 6, 4, 0]);
         for guesses in guesses {
             for at in guesses.at.as_flattened() {
                 assert!(at.abs() <= 1, "{at}");
@@ -159,10 +127,9 @@ mod tests {
         let mut local = regular();
         local.ring[2] = None;
         local.apexes[4] = None;
-        local.beyond[5] = [None; 2];
         let mut guesses = [Guesses::default(); KINDS];
         guess(&local, &mut guesses);
-        // Each kind has six guesses, minus those that involve unknown points.
-        assert_eq!(guesses.map(|g| g.count), [3, 3, 3, 2, 5, 2]);
+        // Six, six and four guesses, minus those that involve unknown points.
+        assert_eq!(guesses.map(|g| g.count), [3, 3, 3, 0]);
     }
 }

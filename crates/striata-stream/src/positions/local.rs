@@ -4,7 +4,7 @@
 //! eleven bits. They then fit in 16 bits, and the widths of densities are constants.
 
 use crate::topology::neighborhood::Neighborhood;
-use crate::topology::surface::{next, previous};
+use crate::topology::surface::next;
 
 /// Maximum number of ring vertices that are used, one per lane.
 pub(super) const LANES: usize = 8;
@@ -31,18 +31,13 @@ pub(super) struct LocalRing {
     pub ring: [Option<Point>; LANES],
     /// The vertex across each ring edge, if it is known.
     pub apexes: [Option<Point>; LANES],
-    /// The vertices beyond each apex: across its edge with the ring vertex, and across its edge with the
-    /// next ring vertex.
-    pub beyond: [[Option<Point>; 2]; LANES],
-    /// Whether the triangle beyond the first of these edges is the one of the previous apex.
-    pub is_narrow: [bool; LANES],
     /// Number of entries in these lists.
     pub count: usize,
 }
 
 impl LocalRing {
-    /// Gathers the surroundings of a vertex; `with_beyond` includes the second ring.
-    pub(super) fn gather(&mut self, neighborhood: &Neighborhood<'_>, with_beyond: bool) {
+    /// Gathers the surroundings of a vertex.
+    pub(super) fn gather(&mut self, neighborhood: &Neighborhood<'_>) {
         self.count = neighborhood.corners.len().min(LANES);
         let mut known = [[0; 3]; LANES];
         let mut known_count = 0;
@@ -59,19 +54,9 @@ impl LocalRing {
         for (i, &coords) in coords[..self.count].iter().enumerate() {
             self.ring[i] = coords.map(|p| self.to_local(p));
         }
-        let mut apex_ids = [0; LANES];
         for (i, &corner) in neighborhood.corners[..self.count].iter().enumerate() {
             let across = neighborhood.surface.opposite(corner);
-            apex_ids[i] = neighborhood.surface.vertex(across);
-            self.apexes[i] = self.find(neighborhood, apex_ids[i]);
-            if with_beyond {
-                let ids = [next(across), previous(across)]
-                    .map(|c| neighborhood.surface.vertex(neighborhood.surface.opposite(c)));
-                self.beyond[i] = ids.map(|v| self.find(neighborhood, v));
-                let before = neighborhood.corners[if i == 0 { self.count - 1 } else { i - 1 }];
-                self.is_narrow[i] =
-                    ids[0] == neighborhood.surface.vertex(neighborhood.surface.opposite(before));
-            }
+            self.apexes[i] = self.find(neighborhood, neighborhood.surface.vertex(across));
         }
     }
 

@@ -3,40 +3,36 @@
 //! The two most tangential axes are coded first. After each, the guesses that were near gain weight for the
 //! next one. Before the last axis, all guesses are moved along the surface to the two known coordinates.
 
-use super::axis::AxisCoder;
 use super::blend::Blend;
+use super::cells::CellModel;
 use super::guesses::KINDS;
 use super::position_density::{FEATURES, PositionDensity, normal_order};
 use crate::entropy::Coder;
 use crate::topology::neighborhood::Neighborhood;
 
-/// Logarithms of half the bumps' widths, along the surface and across it, in local units.
-type Widths<const WIDTHS: usize> = [[u32; WIDTHS]; 2];
+/// Logarithm of half the width of the bumps, along the surface and across it, in local units.
+const WIDTHS: [u32; 2] = [5, 4];
 
 /// Error classes of a vertex whose errors are not known.
 const UNKNOWN_ERRORS: [u8; 2] = [7; 2];
 
-/// A position model that uses the first `USED` kinds of guesses.
+/// A position model that uses the guesses as a density.
 #[derive(Clone, Debug)]
-pub(super) struct MixedModel<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A> {
-    widths: Widths<WIDTHS>,
-    density: PositionDensity<USED>,
-    axes: [A; 3],
+pub(super) struct MixedModel {
+    density: PositionDensity,
+    axes: [CellModel; 3],
     /// By direction (along or across the surface) and valence.
     blends: [[Blend<FEATURES>; 4]; 2],
     /// Error class of each vertex, along the surface and across it.
     pub errors: Vec<[u8; 2]>,
 }
 
-impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCoder<DENSITIES, WIDTHS>>
-    MixedModel<USED, DENSITIES, WIDTHS, A>
-{
+impl MixedModel {
     /// Creates an untrained model.
-    pub(super) fn new(widths: Widths<WIDTHS>) -> Self {
+    pub(super) fn new() -> Self {
         Self {
-            widths,
             density: PositionDensity::new(),
-            axes: std::array::from_fn(|_| A::new()),
+            axes: std::array::from_fn(|_| CellModel::new()),
             blends: [[Blend::new(std::array::from_fn(|k| if k < KINDS { 10_000 } else { 0 })); 4]; 2],
             errors: Vec::new(),
         }
@@ -61,9 +57,9 @@ impl<const USED: usize, const DENSITIES: usize, const WIDTHS: usize, A: AxisCode
             let (base, features) = self.density.features(a);
             let blend = &mut self.blends[across][valence];
             let expected = base + blend.predict(&features);
-            let axis = self.density.axis::<DENSITIES, WIDTHS>(
+            let axis = self.density.axis(
                 a,
-                self.widths[across],
+                WIDTHS[across],
                 (expected, ring_errors[across] * 4 + valence),
                 &features,
             );

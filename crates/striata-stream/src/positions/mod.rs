@@ -8,20 +8,19 @@
 //! | file | what it does |
 //! | --- | --- |
 //! | `local.rs` | surroundings of a vertex, in units of its ring's size |
-//! | `guesses.rs` | guesses at the position, in six kinds |
+//! | `guesses.rs` | guesses at the position, in four kinds |
 //! | `bumps.rs` | densities made of guesses |
 //! | `blend.rs` | the expected position |
 //! | `position_density.rs` | guesses, their weights and densities, axis by axis |
 //! | `axis.rs` | input for coding one coordinate |
-//! | `halving.rs` | a coordinate as a chain of mixed binary decisions |
 //! | `cells.rs` | a coordinate as one of sixteen cells |
-//! | `mixed.rs` | the thorough models, which combine all of these |
+//! | `mixed.rs` | the compact model, which combines all of these |
 //! | `ahead.rs` | predictions for many vertices in one go |
 //! | `quick.rs` | the quick model: such a prediction, one symbol per axis |
 //! | `residual.rs` | residual of a prediction, as a symbol and its low bits |
 //!
 //! All arithmetic is on integers. Time per vertex on one core: 0.15 microseconds with one prediction, 0.9
-//! with one density and one cell per axis, 2.7 with eighteen densities.
+//! with a density.
 
 mod ahead;
 mod axis;
@@ -29,7 +28,6 @@ mod blend;
 mod bumps;
 mod cells;
 mod guesses;
-mod halving;
 mod local;
 mod mixed;
 mod position_density;
@@ -40,8 +38,6 @@ use crate::entropy::Coder;
 use crate::format::effort::Effort;
 use crate::topology::neighborhood::Neighborhood;
 pub(super) use ahead::Surroundings;
-use cells::CellModel;
-use halving::HalvingModel;
 use mixed::MixedModel;
 use quick::QuickPositions;
 
@@ -54,10 +50,8 @@ pub(super) struct PositionModel(EffortModel);
 enum EffortModel {
     /// One prediction, made ahead.
     Quick(Box<QuickPositions>),
-    /// Guesses from the ring and the triangles around it; coordinates by cells.
-    Cells(Box<MixedModel<4, 1, 1, CellModel>>),
-    /// Guesses from two rings, under several widths; coordinates by halving.
-    Full(Box<MixedModel<6, 6, 3, HalvingModel>>),
+    /// Guesses from the ring and the triangles around it.
+    Mixed(Box<MixedModel>),
 }
 
 impl PositionModel {
@@ -65,8 +59,7 @@ impl PositionModel {
     pub(super) fn new(effort: Effort) -> Self {
         Self(match effort {
             Effort::Fast => EffortModel::Quick(Box::new(QuickPositions::new())),
-            Effort::Default => EffortModel::Cells(Box::new(MixedModel::new([[5], [4]]))),
-            Effort::Small => EffortModel::Full(Box::new(MixedModel::new([[2, 5, 8], [1, 4, 7]]))),
+            Effort::Compact => EffortModel::Mixed(Box::new(MixedModel::new())),
         })
     }
 
@@ -74,8 +67,7 @@ impl PositionModel {
     pub(super) fn reserve(&mut self, vertex_count: usize) {
         match &mut self.0 {
             EffortModel::Quick(_) => {}
-            EffortModel::Cells(model) => model.reserve(vertex_count),
-            EffortModel::Full(model) => model.reserve(vertex_count),
+            EffortModel::Mixed(model) => model.reserve(vertex_count),
         }
     }
 
@@ -84,8 +76,7 @@ impl PositionModel {
     pub(super) fn renumber(&mut self, old_of_new: &[u32]) {
         match &mut self.0 {
             EffortModel::Quick(_) => {}
-            EffortModel::Cells(model) => model.renumber(old_of_new),
-            EffortModel::Full(model) => model.renumber(old_of_new),
+            EffortModel::Mixed(model) => model.renumber(old_of_new),
         }
     }
 
@@ -106,8 +97,7 @@ impl PositionModel {
     ) -> [i32; 3] {
         match &mut self.0 {
             EffortModel::Quick(model) => model.code(coder, neighborhood.vertex, actual),
-            EffortModel::Cells(model) => model.code(coder, neighborhood, actual),
-            EffortModel::Full(model) => model.code(coder, neighborhood, actual),
+            EffortModel::Mixed(model) => model.code(coder, neighborhood, actual),
         }
     }
 }

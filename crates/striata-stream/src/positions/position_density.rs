@@ -4,7 +4,7 @@ use wide::{i16x8, i32x4};
 
 use super::axis::{AxisInput, DISTANCES, SIZES, SPREADS};
 use super::bumps::{Bumps, Width};
-use super::guesses::{ACROSS, Guesses, INSIDE, KINDS, MIDDLE, MOVED, STRAIGHT, guess};
+use super::guesses::{ACROSS, Guesses, INSIDE, KINDS, MIDDLE, PLANES, guess};
 use super::local::{LANES, LocalRing, Point};
 use crate::entropy::log2_q8;
 use crate::topology::neighborhood::Neighborhood;
@@ -23,33 +23,30 @@ pub(super) const FEATURES: usize = KINDS + 4;
 /// Reciprocals: 4096 divided by each number.
 pub(super) const INVERSES: [i32; LANES + 1] = [0, 4096, 2048, 1365, 1024, 819, 683, 585, 512];
 
-/// Guesses at one new vertex, of the first `USED` kinds, and their weights.
+/// Guesses at one new vertex, and their weights.
 #[derive(Clone, Debug)]
-pub(super) struct PositionDensity<const USED: usize> {
+pub(super) struct PositionDensity {
     /// The surroundings of the vertex.
     pub local: LocalRing,
     guesses: [Guesses; KINDS],
-    bumps: [Bumps; USED],
+    bumps: [Bumps; KINDS],
     is_last: bool,
     /// Whether the last axis points against the normal.
     is_inward: bool,
     /// By axis, the vertex that split and three points derived from it.
     kept: [[i32; 4]; 3],
     /// Weight of each guess, given the coordinates known so far.
-    weights: [i16x8; USED],
+    weights: [i16x8; KINDS],
 }
 
-impl<const USED: usize> PositionDensity<USED> {
-    /// Whether guesses need the second ring.
-    const LOOKS_BEYOND: bool = USED > STRAIGHT;
-
+impl PositionDensity {
     /// Creates an empty state.
     pub(super) fn new() -> Self {
         Self {
             local: LocalRing::default(),
             guesses: [Guesses::default(); KINDS],
-            bumps: [Bumps::default(); USED],
-            weights: [i16x8::ZERO; USED],
+            bumps: [Bumps::default(); KINDS],
+            weights: [i16x8::ZERO; KINDS],
             is_last: false,
             is_inward: false,
             kept: [[0; 4]; 3],
@@ -58,7 +55,7 @@ impl<const USED: usize> PositionDensity<USED> {
 
     /// Gathers the surroundings of another vertex and makes its guesses.
     pub(super) fn gather(&mut self, neighborhood: &Neighborhood<'_>) {
-        self.local.gather(neighborhood, Self::LOOKS_BEYOND);
+        self.local.gather(neighborhood);
         guess(&self.local, &mut self.guesses);
         self.kept = kept_points(&self.local);
         for (weights, guesses) in self.weights.iter_mut().zip(&self.guesses) {
@@ -111,7 +108,7 @@ impl<const USED: usize> PositionDensity<USED> {
         }
     }
 
-    /// Replaces the guesses of one kind by the heights of the planes across ring edges.
+    /// Adds as guesses the heights of the planes across ring edges.
     fn add_plane_heights(&mut self, [a, b, c]: [usize; 3], coords: [i32; 3]) {
         let local = &self.local;
         let [x, y] = [a, b].map(|a| local.to_local_axis(coords[a], a));
@@ -126,11 +123,11 @@ impl<const USED: usize> PositionDensity<USED> {
                 continue;
             }
             let rise = (normal[a] * i64::from(x - p[a]) + normal[b] * i64::from(y - p[b])) / normal[c];
-            self.bumps[MOVED].at[count] = (i64::from(p[c]) - rise).clamp(-16_000, 16_000) as i16;
+            self.bumps[PLANES].at[count] = (i64::from(p[c]) - rise).clamp(-16_000, 16_000) as i16;
             count += 1;
         }
-        self.guesses[MOVED].count = count;
-        self.weights[MOVED] = first_lanes(count) & i16x8::splat(INITIAL_PLANE_WEIGHT);
+        self.guesses[PLANES].count = count;
+        self.weights[PLANES] = first_lanes(count) & i16x8::splat(INITIAL_PLANE_WEIGHT);
     }
 
     /// Returns the center of the ring, and the features from which a coordinate is blended, relative to
@@ -155,27 +152,26 @@ impl<const USED: usize> PositionDensity<USED> {
     }
 
     /// Returns the input for coding one axis: the expected coordinate, densities and context classes.
-    pub(super) fn axis<const DENSITIES: usize, const WIDTHS: usize>(
+    pub(super) fn axis(
         &self,
         axis: usize,
-        widths: [u32; WIDTHS],
+        width: u32,
         (expected, context): (i32, usize),
         features: &[i32; FEATURES],
-    ) -> AxisInput<'_, DENSITIES, WIDTHS> {
+    ) -> AxisInput<'_> {
         let local = &self.local;
         // Guesses are no more precise than the grid.
         let narrowest = local.shift.clamp(0, 13) as u32;
         let size = 2 * (local.shift + 16) + (local.radius >> 9 & 1);
         let distance = (self.kept[axis][0] - expected).abs();
         let is_mirrored = if self.is_last { self.is_inward } else { self.kept[axis][0] < expected };
-        let spread =
-            [INSIDE, ACROSS, STRAIGHT].iter().map(|&kind| features[kind].unsigned_abs()).sum::<u32>();
+        let spread = [INSIDE, ACROSS].iter().map(|&kind| features[kind].unsigned_abs()).sum::<u32>();
         let spread = log2_q8(spread * 1024 / local.radius as u32 + 16) - 1024;
         AxisInput {
             local,
             axis,
             bumps: &self.bumps,
-            widths: widths.map(|width| Width::new(width.max(narrowest))),
+            width: Width::new(width.max(narrowest)),
             // Plus one if mirrored, so that the expected cell is the first one above the center in either
             // direction.
             center: local.to_grid(expected, axis).wrapping_add(i32::from(is_mirrored)),

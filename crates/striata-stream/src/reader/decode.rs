@@ -198,12 +198,13 @@ impl StreamDecoder {
     pub fn finish(&mut self) -> Result<StreamUpdate, DecodeError> {
         self.check_open()?;
         let (vertices, triangles) = self.sizes();
-        if self.header.is_none() {
-            let (found, expected) = (self.waiting.len() as u64, FIXED_HEADER_BYTES as u64);
-            return Err(DecodeError::FileLength { found, expected: expected.max(found + 1) });
-        }
         if self.chunk_count == 0 {
-            return Err(StreamDefect::NoBase.into());
+            let (found, info) = (self.read + self.waiting.len() as u64, self.info());
+            let needed = match info {
+                Some(info) => info.base_bytes,
+                None => header_length(&self.waiting)?.unwrap_or(FIXED_HEADER_BYTES) as u64,
+            };
+            return Err(DecodeError::Incomplete { found, needed });
         }
         self.is_over = true;
         if let Some(entry) = self.next_entry() {

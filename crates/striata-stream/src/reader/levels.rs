@@ -35,10 +35,7 @@ impl<'s> StreamLevels<'s> {
     /// # Errors
     /// [`DecodeError`] if the stream is malformed, cut off within its base mesh, or followed by other bytes.
     pub fn new(bytes: &'s [u8]) -> Result<Self, DecodeError> {
-        let found = bytes.len() as u64;
-        let Some(info) = StreamInfo::read(bytes)? else {
-            return Err(DecodeError::FileLength { found, expected: found + 1 });
-        };
+        let (info, found) = (StreamInfo::with_base(bytes)?, bytes.len() as u64);
         if found > info.stream_bytes {
             return Err(DecodeError::FileLength { found, expected: info.stream_bytes });
         }

@@ -37,11 +37,6 @@ impl StreamParameters {
         self.vertex_count != self.position_count || self.group_count > 1
     }
 
-    /// Whether the quick model codes which vertices split.
-    pub(crate) fn is_quick(&self) -> bool {
-        self.effort != Effort::Small
-    }
-
     /// Maximum number of vertex visits in a stream: many times more than real batches need, and a bound
     /// for hostile streams.
     pub(crate) fn most_visits(&self) -> u64 {

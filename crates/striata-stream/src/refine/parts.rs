@@ -4,7 +4,7 @@ use super::growth::GrowingMesh;
 use super::walk::BatchWalk;
 use crate::connectivity::SplitContext;
 use crate::format::grid::PositionGrid;
-use crate::topology::surface::{Cut, Surface, triangle_of};
+use crate::topology::surface::{Surface, triangle_of};
 use crate::wedges::split::SplitWedges;
 
 /// The mesh and surface refined so far.
@@ -49,7 +49,7 @@ pub(crate) struct Stretch {
     pub patches: Vec<u32>,
     /// End of each split's patch in that list.
     pub ends: Vec<u32>,
-    /// Corners around the vertex being visited, or around the new vertex.
+    /// Corners around the new vertex.
     pub corners: Vec<u32>,
     /// Vertices that those corners refer to.
     pub shown: SplitWedges,
@@ -91,21 +91,8 @@ impl Stretch {
         self.ends.clear();
     }
 
-    /// Records a split and marks the triangles of its patch, so that no other split of the batch uses them.
-    pub(crate) fn push_split(&mut self, surface: &mut Surface, cut: Cut, batch: u32) {
-        let mut corner = cut.first;
-        for at in 0..cut.length {
-            if at > 0 {
-                corner = surface.swing(corner);
-            }
-            surface.set_mark(triangle_of(corner), batch);
-            self.patches.push(corner);
-        }
-        self.ends.push(self.patches.len() as u32);
-    }
-
-    /// Records a split whose patch has already been appended to [`patches`](Self::patches), and marks its
-    /// triangles like [`push_split`](Self::push_split).
+    /// Records a split whose patch has been appended to [`patches`](Self::patches), and marks its triangles, so that no
+    /// other split of the batch uses them.
     pub(crate) fn close_split(&mut self, surface: &mut Surface, batch: u32) {
         let start = self.ends.last().map_or(0, |&end| end as usize);
         for &corner in &self.patches[start..] {

@@ -6,7 +6,7 @@
 //! been coded, the two sides cannot disagree.
 
 use super::growth::GrowingMesh;
-use super::models::{Connectivity, PartModels};
+use super::models::PartModels;
 use super::parameters::StreamParameters;
 use super::parts::{Batch, RefinedLevel, StreamLimits, Stretch};
 use super::source::StreamSide;
@@ -14,6 +14,7 @@ use super::walk::BatchWalk;
 use crate::base::coder::code_base;
 use crate::base::mesh::Base;
 use crate::base::neighborhoods::BaseNeighborhoods;
+use crate::connectivity::ConnectivityModel;
 use crate::entropy::{Coder, Part};
 use crate::format::error::StreamDefect;
 use crate::format::grid::CorrectionModel;
@@ -90,7 +91,7 @@ impl MeshRefiner {
             None => base.use_one_vertex_per_position(),
         }
         let mut models = PartModels {
-            connectivity: Connectivity::new(&surface, parameters),
+            connectivity: ConnectivityModel::new(&surface, parameters.effort),
             positions: PositionModel::new(parameters.effort),
             corrections: parameters.is_exact.then(CorrectionModel::new),
             wedges,
@@ -188,9 +189,7 @@ impl MeshRefiner {
                 // Not part of the mesh until the vertex's values are known.
                 surface.set_label(triangle, NONE);
             }
-            if let Connectivity::Quick(model) = &mut models.connectivity {
-                model.split(surface, patch.len(), kept);
-            }
+            models.connectivity.split(surface, patch.len(), kept);
             batch.walk.record_split(kept);
             if let Some(observer) = source.observer() {
                 observer.split_applied(vertex, kept);

@@ -1,7 +1,6 @@
 //! Coding of new vertices: their positions, the vertices that corners around them refer to, and their
 //! attributes.
 
-use super::models::Connectivity;
 use super::refiner::{CodingResult, MeshRefiner};
 use super::source::StreamSide;
 use crate::entropy::{Coder, Part};
@@ -16,10 +15,9 @@ impl MeshRefiner {
     /// predicts them one by one.
     pub(super) fn predict_ahead(&mut self, first: u32) -> bool {
         let Self { level, models, stretch, .. } = self;
-        let Connectivity::Quick(model) = &models.connectivity else { return false };
         let Some(positions) = models.positions.ahead(first) else { return false };
         let patches = (stretch.patches.as_slice(), stretch.ends.as_slice());
-        model.for_each_surroundings(&level.surface, &level.grid_points, patches, |around| {
+        models.connectivity.for_each_surroundings(&level.surface, &level.grid_points, patches, |around| {
             positions.look_ahead(around)
         });
         true

@@ -10,24 +10,9 @@
 
 use crate::topology::surface::{NONE, Surface};
 
-/// State of a vertex in the current batch.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum VisitState {
-    /// Not visited yet.
-    Unvisited,
-    /// Visited; it does not split.
-    Unsplit,
-    /// Visited; it splits.
-    Splits,
-    /// Created in this batch.
-    Created,
-}
-
 /// Progress of a walk through the current batch.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct BatchWalk {
-    /// For each vertex: four times the batch in which it was last visited, plus its state in that batch.
-    seen: Vec<u32>,
     /// Number of the current batch, starting from 1.
     batch: u32,
     /// All vertices that are not virtual, in the order of their visits.
@@ -41,11 +26,6 @@ pub(crate) struct BatchWalk {
     /// Whether the queue may contain virtual vertices.
     is_renumbered: bool,
 }
-
-/// State of a visited vertex that does not split, as stored in `BatchWalk::seen`.
-const STAYS: u32 = 1;
-/// State of a visited vertex that splits.
-const SPLITS: u32 = 2;
 
 impl BatchWalk {
     /// Reserves memory for a total number of vertices.
@@ -115,8 +95,6 @@ impl BatchWalk {
             *vertex != NONE
         });
         self.queue.extend((0..).zip(is_new).filter(|&(_, is_new)| is_new).map(|(vertex, _)| vertex));
-        let seen = |&old: &u32| self.seen.get(old as usize).copied().unwrap_or(0);
-        self.seen = old_of_new.iter().map(seen).collect();
         self.end = old_of_new.len() as u32;
         self.is_renumbered = true;
     }
@@ -124,20 +102,6 @@ impl BatchWalk {
     /// Number of the current batch, starting from 1.
     pub(crate) fn batch(&self) -> u32 {
         self.batch
-    }
-
-    /// Returns the state of a vertex that is not virtual.
-    #[inline]
-    pub(crate) fn visit_state(&self, vertex: u32) -> VisitState {
-        if vertex >= self.end {
-            return VisitState::Created;
-        }
-        let seen = self.seen.get(vertex as usize).copied().unwrap_or(0);
-        match seen.wrapping_sub(4 * self.batch) {
-            STAYS => VisitState::Unsplit,
-            SPLITS => VisitState::Splits,
-            _ => VisitState::Unvisited,
-        }
     }
 
     /// Returns all vertices that remain to be visited, in order. Report how many of them were visited with
@@ -149,21 +113,6 @@ impl BatchWalk {
     /// Advances past a number of vertices without recording whether they split.
     pub(crate) fn skip(&mut self, count: usize) {
         self.head += count;
-    }
-
-    /// Returns the next vertex to visit, or `None` if all have been visited.
-    pub(crate) fn next_vertex(&mut self) -> Option<u32> {
-        let vertex = *self.queue.get(self.head)?;
-        self.head += 1;
-        Some(vertex)
-    }
-
-    /// Records whether a vertex splits.
-    pub(crate) fn record_visit(&mut self, vertex: u32, splits: bool) {
-        if self.seen.len() <= vertex as usize {
-            self.seen.resize(self.end as usize, 0);
-        }
-        self.seen[vertex as usize] = 4 * self.batch + if splits { SPLITS } else { STAYS };
     }
 }
 
@@ -181,7 +130,9 @@ mod tests {
     }
 
     fn visited(walk: &mut BatchWalk) -> Vec<u32> {
-        std::iter::from_fn(|| walk.next_vertex()).collect()
+        let rest = walk.rest().to_vec();
+        walk.skip(rest.len());
+        rest
     }
 
     /// Splits a vertex with a patch of one triangle.
@@ -211,8 +162,7 @@ mod tests {
         walk.begin(&surface);
         assert_eq!(walk.rest()[..5], [1, count + 2, 2, count, count + 3]);
         walk.skip(2);
-        assert_eq!(walk.next_vertex(), Some(2));
-        assert_eq!(walk.rest().len(), surface.vertex_count() - 4);
+        assert_eq!(walk.rest().len(), surface.vertex_count() - 3);
     }
 
     #[test]
@@ -221,17 +171,10 @@ mod tests {
         let mut walk = BatchWalk::default();
         for _ in 0..3 {
             walk.begin(&surface);
-            let mut all = Vec::new();
-            while let Some(vertex) = walk.next_vertex() {
-                assert_eq!(walk.visit_state(vertex), VisitState::Unvisited);
-                walk.record_visit(vertex, false);
-                assert_eq!(walk.visit_state(vertex), VisitState::Unsplit);
-                all.push(vertex);
-            }
+            let mut all = visited(&mut walk);
             all.sort_unstable();
             assert_eq!(all, (1..surface.vertex_count() as u32).collect::<Vec<_>>());
-            let new = split(&mut walk, &mut surface, 3);
-            assert_eq!(walk.visit_state(new), VisitState::Created);
+            split(&mut walk, &mut surface, 3);
         }
     }
 

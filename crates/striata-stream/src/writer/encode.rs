@@ -50,7 +50,7 @@ impl Default for Precision {
 pub struct StreamOptions {
     /// Precision of the positions; 14 bits by default.
     pub precision: Precision,
-    /// Trade-off between speed and size; default [`Effort::Default`].
+    /// Trade-off between speed and size; default [`Effort::Fast`].
     pub effort: Effort,
     /// Precision of the attribute layers.
     pub layers: LayerOptions,

@@ -38,6 +38,14 @@ pub enum DecodeError {
         /// Expected length, in bytes.
         expected: u64,
     },
+    /// The file is a stream that ends before its first mesh does: more of it has to arrive.
+    #[error("not complete yet: a first mesh needs at least {needed} bytes, and {found} are there")]
+    Incomplete {
+        /// Length of the file, in bytes.
+        found: u64,
+        /// Length of the prefix that has the first mesh, in bytes; of the header, while that is not known.
+        needed: u64,
+    },
     /// The header or the section table is damaged.
     #[error("the header is damaged: checksum {found:08x}, expected {expected:08x}")]
     HeaderChecksum {

@@ -113,7 +113,7 @@ pub(super) fn measure(
         return Ok(RateReport { rate_bits: args.bits, rate, sizes });
     }
     say("levels one after another");
-    peers.push((stream_name(Effort::Default), Box::new(streams::code_level)));
+    peers.push((stream_name(Effort::Compact), Box::new(streams::code_level)));
     rate.extend(discrete::measure(&positions_only, args.bits, &peers, &meter, bar)?);
     compute_ratios(&mut sizes);
     Ok(RateReport { rate_bits: args.bits, rate, sizes })

@@ -98,10 +98,10 @@ impl Streams {
     }
 }
 
-/// Encodes a level as a separate stream, at the default effort.
+/// Encodes a level as a separate stream, at the compact effort.
 ///
 /// # Errors
 /// If encoding or decoding fails.
 pub(super) fn code_level(mesh: &IndexedMesh, bits: u32) -> Result<CodedMesh, Failure> {
-    Streams::with_progress(mesh, &mut striata::ignore_progress)?.code(bits, Effort::Default)
+    Streams::with_progress(mesh, &mut striata::ignore_progress)?.code(bits, Effort::Compact)
 }

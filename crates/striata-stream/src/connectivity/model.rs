@@ -1,11 +1,10 @@
-//! [`QuickModel`]: connectivity for the fast and default efforts, in which flags depend only on numbers
-//! stored with each vertex.
+//! [`ConnectivityModel`]: flags and cuts. Flags depend only on numbers stored with each vertex.
 //!
 //! A vertex that does not split costs one access to three bytes: its triangle count, the batch that created
 //! it, and the batch in which it last split. The surface is visited only around vertices that split, many
 //! at a time, so that memory accesses overlap. Cuts around vertices with few triangles are two symbols: the
 //! length, and which of the free runs of that length. The fast effort ranks these runs by edge length,
-//! since vertices are missing where edges are long (`ranked_cuts.rs`); the default effort scores them by a
+//! since vertices are missing where edges are long (`ranked_cuts.rs`); the compact effort scores them by a
 //! learned model (`learned_cuts.rs`). Cuts around other vertices are sequences of binary decisions
 //! (`chain_cuts.rs`).
 
@@ -35,7 +34,7 @@ const RECENT_FLAGS_MASK: usize = 0xff;
 
 /// Models of flags and cuts by small contexts.
 #[derive(Clone, Debug)]
-pub(crate) struct QuickModel {
+pub(crate) struct ConnectivityModel {
     records: Vec<VertexRecord>,
     batch: u8,
     /// Whether vertices have been renumbered, so that the triangles around each have to be counted again.
@@ -46,7 +45,7 @@ pub(crate) struct QuickModel {
     /// Vertices that split, and the corners around them.
     splits: Vec<u32>,
     rings: Rings,
-    cuts: QuickCuts,
+    cuts: ShortCuts,
     chains: ChainCuts,
     /// The batch in which each vertex was last visited, modulo 256; used only by learned cuts.
     visited: Vec<u8>,
@@ -56,7 +55,7 @@ pub(crate) struct QuickModel {
 
 /// Coder of cuts around vertices with few triangles.
 #[derive(Clone, Debug)]
-enum QuickCuts {
+enum ShortCuts {
     /// Two symbols: the length of the run and its rank.
     Ranked(RankedCuts),
     /// Two symbols, by scores of edges and triangles.
@@ -71,7 +70,7 @@ pub(crate) struct CutOfSplit {
     pub actual: Option<Cut>,
 }
 
-impl QuickModel {
+impl ConnectivityModel {
     /// Creates an untrained model, and counts the triangles around each vertex of the base.
     pub(crate) fn new(surface: &Surface, effort: Effort) -> Self {
         let bit = AdaptiveBit::new(Rate::Steady);
@@ -86,8 +85,8 @@ impl QuickModel {
             splits: Vec::new(),
             rings: Rings::default(),
             cuts: match effort {
-                Effort::Fast => QuickCuts::Ranked(RankedCuts::new()),
-                _ => QuickCuts::Learned(Box::new(LearnedCuts::new())),
+                Effort::Fast => ShortCuts::Ranked(RankedCuts::new()),
+                Effort::Compact => ShortCuts::Learned(Box::new(LearnedCuts::new())),
             },
             chains: ChainCuts::new(),
             visited: Vec::new(),
@@ -105,7 +104,7 @@ impl QuickModel {
 
     /// Whether cuts are coded by the learned model.
     fn is_learned(&self) -> bool {
-        matches!(self.cuts, QuickCuts::Learned(_))
+        matches!(self.cuts, ShortCuts::Learned(_))
     }
 
     /// Starts a batch.
@@ -196,8 +195,8 @@ impl QuickModel {
         let n = self.rings.of(split).len();
         let is_short = (2..=ranked_cuts::MAX_RING).contains(&n);
         let run = match self.cuts {
-            QuickCuts::Ranked(_) if is_short => self.ranked_run(coder, split_context, split, actual),
-            QuickCuts::Learned(_) if is_short => self.learned_run(coder, split_context, split, actual),
+            ShortCuts::Ranked(_) if is_short => self.ranked_run(coder, split_context, split, actual),
+            ShortCuts::Learned(_) if is_short => self.learned_run(coder, split_context, split, actual),
             _ => {
                 let kept = split_context.grid_points[self.splits[split] as usize];
                 let edges = Edges {
@@ -245,7 +244,7 @@ impl QuickModel {
                 is_free: !split_context.is_claimed(triangle_of(corner)),
             };
         }
-        let QuickCuts::Ranked(cuts) = &mut self.cuts else { return None };
+        let ShortCuts::Ranked(cuts) = &mut self.cuts else { return None };
         cuts.code(coder, &edges[..ring.len()], split_context.max_patch as usize, run_in_ring(actual, ring))
     }
 
@@ -277,7 +276,7 @@ impl QuickModel {
         }
         let limits =
             (usize::from(self.records[vertex as usize].triangle_count), split_context.max_patch as usize);
-        let QuickCuts::Learned(cuts) = &mut self.cuts else { return None };
+        let ShortCuts::Learned(cuts) = &mut self.cuts else { return None };
         cuts.code(coder, &mut spokes[..ring.len()], limits, run_in_ring(actual, ring))
     }
 
@@ -401,7 +400,7 @@ mod tests {
     fn records_follow_renumbered_vertices() {
         let mesh = shapes::grid(5, 4);
         let mut surface = close(&mesh.triangles, mesh.positions.len()).surface;
-        let mut model = QuickModel::new(&surface, Effort::Fast);
+        let mut model = ConnectivityModel::new(&surface, Effort::Fast);
         model.begin_batch(&surface);
         let corner = surface.corner_of(7);
         let new = surface.split(&[corner]);
