@@ -277,6 +277,11 @@ fn every_prefix_is_an_error_or_a_scene() {
             }
             Err(error) => assert!(cut.document().is_none(), "{length}: {error}"),
         }
+        if let Err(error) = cut.check_drawable() {
+            let SceneStreamError::NotDrawable { found, needed } = error else { panic!("{length}: {error}") };
+            let range = length as u64 + 1..=stream.sizes.drawable_at as u64;
+            assert!(found == length as u64 && range.contains(&needed), "{needed} after {found}");
+        }
         assert!(!decoder.is_complete());
         decoder.push(&[*byte]).unwrap();
     }

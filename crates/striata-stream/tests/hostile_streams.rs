@@ -256,8 +256,10 @@ fn every_truncation_of_a_small_stream_is_a_prefix() {
             let mut decoder = StreamDecoder::new();
             decoder.push(&bytes[..length]).unwrap();
             assert!(!decoder.is_complete());
-            if decoder.finish().is_err() {
-                assert!((length as u64) < info.base_bytes, "{length}");
+            if let Err(error) = decoder.finish() {
+                let DecodeError::Incomplete { found, needed } = error else { panic!("{length}: {error}") };
+                assert!(found == length as u64 && needed > found, "{needed} after {found}");
+                assert!(needed <= if found < info.head_bytes { info.head_bytes } else { info.base_bytes });
                 continue;
             }
             assert!(length as u64 >= info.base_bytes && decoder.split_count() >= splits);

@@ -197,6 +197,8 @@ impl SceneStreamDecoder {
                 update.put(received, mesh, &change);
             }
         }
+        // They count as received.
+        self.waiting = waiting;
         for mesh in 0..received.meshes.len() {
             let slot = received.meshes[mesh].as_mut();
             let Some(slot) = slot.filter(|slot| slot.has_base() && !slot.decoder.is_complete()) else {
