@@ -13,9 +13,11 @@
 //! ```
 //!
 //! Errors fall along the steps. So `plan` finds the first range of steps whose error would not count even if it were
-//! that of the whole mesh, and all steps from there on are skipped.
+//! that of the whole mesh, and all steps from there on are skipped. It lists what is left for the other passes, whose
+//! dispatches are indirect.
 //!
-//! Cost: an instance takes one bit per step, 116 bytes for its camera and 36 bytes for its place and its draw. The
+//! Cost: an instance takes one bit per step, 116 bytes for its camera, 44 bytes for its place and its draw, and 8 bytes
+//! for each block of 256 fans. The
 //! tables of a mesh take 24 bytes per step more than those of [`GpuFans`](crate::gpu::GpuFans). The triangles of an
 //! instance come in one draw and in any order, so groups are not kept apart.
 
@@ -25,7 +27,7 @@ use wgpu::{BindGroup, Buffer, BufferUsages, CommandEncoder, Features};
 
 use crate::gpu::copy_back::copy_back;
 use crate::gpu::crowd_meshes::{CrowdMesh, CrowdMeshes};
-use crate::gpu::crowd_passes::{CrowdPasses, DECIDING_COUNT, PASS_COUNT, THREADS};
+use crate::gpu::crowd_passes::{CrowdPasses, DECIDING_COUNT, PASS_COUNT, PassSize, THREADS};
 use crate::gpu::device::Gpu;
 use crate::gpu::drawing::Drawing;
 use crate::gpu::gpu_error::GpuError;
@@ -35,7 +37,14 @@ use crate::gpu::indices::COMMAND_WORDS;
 const BUDGET_BYTES: u64 = 4 * (2 + 1024);
 
 /// Words of the state of an instance.
-const STATE_WORDS: usize = 4;
+const STATE_WORDS: usize = 6;
+
+/// Words of the list of work before its items.
+const WORK_HEADER: u64 = 8;
+
+/// Place of the dispatches of chunks and of blocks in the list of work, bytes.
+const CHUNKS: u64 = 0;
+const BLOCKS: u64 = 16;
 
 /// A mesh at a place in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,7 +78,20 @@ struct CrowdBuffers {
     budget: Buffer,
     indices: Buffer,
     commands: Buffer,
+    work: Buffer,
     capacity: u32,
+    chunk_capacity: u32,
+}
+
+/// Sums over all instances.
+#[derive(Clone, Copy, Debug, Default)]
+struct CrowdSizes {
+    instances: u64,
+    bit_words: u64,
+    /// Chunks of 64 ranges, and blocks of fans.
+    chunks: u64,
+    blocks: u64,
+    base_triangles: u64,
 }
 
 /// A camera on the grid of an instance, laid out as in `crowd.wgsl`.
@@ -89,12 +111,22 @@ struct CrowdParameters {
     capacity: u32,
     triangle_limit: u32,
     passes_instance: u32,
+    row: u32,
+    chunk_capacity: u32,
+    unused: [u32; 2],
 }
 
 impl CrowdBuffers {
-    fn new(gpu: &Gpu, instance_count: usize, bit_words: u32, capacity: u32) -> Result<Self, GpuError> {
+    fn new(gpu: &Gpu, sizes: &CrowdSizes, triangle_capacity: u64) -> Result<Self, GpuError> {
         let (storage, read) = (BufferUsages::STORAGE, BufferUsages::COPY_SRC);
-        let (write, count) = (BufferUsages::COPY_DST, instance_count.max(1) as u64);
+        let (write, count) = (BufferUsages::COPY_DST, sizes.instances.max(1));
+        let index_count = sizes.base_triangles.max(triangle_capacity).saturating_mul(3);
+        let capacity = u32::try_from(index_count).map_err(|_| {
+            let (limit_bytes, adapter) = (4 * u64::from(u32::MAX), gpu.info().name.clone());
+            let needed_bytes = index_count.saturating_mul(4);
+            GpuError::TooLarge { what: "crowd indices", needed_bytes, limit_bytes, adapter }
+        })?;
+        let work_words = WORK_HEADER + 2 * (sizes.chunks + sizes.blocks + 1);
         let camera_bytes = size_of::<InstanceCamera>() as u64;
         let words = |what, count: u64, usage| gpu.empty_buffer(what, 4 * count, storage | read | usage);
         let parameters_bytes = size_of::<CrowdParameters>() as u64;
@@ -105,12 +137,14 @@ impl CrowdBuffers {
                 BufferUsages::UNIFORM | write,
             )?,
             cameras: gpu.empty_buffer("crowd cameras", count * camera_bytes, storage | write)?,
-            bits: words("crowd step bits", u64::from(bit_words), BufferUsages::empty())?,
+            bits: words("crowd step bits", sizes.bit_words, BufferUsages::empty())?,
             states: words("crowd states", count * STATE_WORDS as u64, BufferUsages::empty())?,
             budget: gpu.empty_buffer("crowd budget", BUDGET_BYTES, storage | read | write)?,
             indices: words("crowd indices", u64::from(capacity), BufferUsages::INDEX)?,
             commands: words("crowd draws", count * COMMAND_WORDS as u64, BufferUsages::INDIRECT)?,
+            work: words("crowd work", work_words, BufferUsages::INDIRECT | write)?,
             capacity,
+            chunk_capacity: sizes.chunks as u32,
         })
     }
 }
@@ -122,7 +156,7 @@ impl GpuCrowd {
     /// [`GpuError::TooLarge`] if a buffer exceeds the device's limit.
     pub fn new(gpu: &Gpu, meshes: &[CrowdMesh<'_>]) -> Result<Self, GpuError> {
         let (meshes, passes) = (CrowdMeshes::upload(gpu, meshes)?, CrowdPasses::new(gpu));
-        let buffers = CrowdBuffers::new(gpu, 0, 0, 0)?;
+        let buffers = CrowdBuffers::new(gpu, &CrowdSizes::default(), 0)?;
         let bindings = bind(gpu, &meshes, &passes, &buffers);
         let (instances, first_bits) = (Vec::new(), vec![0]);
         Ok(Self { meshes, passes, instances, first_bits, buffers, bindings, uploaded_bytes: 0 })
@@ -140,28 +174,24 @@ impl GpuCrowd {
         instances: &[CrowdInstance],
         triangle_capacity: usize,
     ) -> Result<(), GpuError> {
-        let limit = gpu.device.limits().max_compute_workgroups_per_dimension;
+        let limit = gpu.device.limits().max_compute_workgroups_per_dimension.saturating_mul(THREADS);
         if instances.len() > limit as usize {
             return Err(GpuError::TooManyInstances { count: instances.len(), limit });
         }
-        let (mut first_bits, mut base_triangles, mut bit_words) = (vec![0], 0u64, 0u64);
+        let mut first_bits = vec![0];
+        let mut sizes = CrowdSizes { instances: instances.len() as u64, ..CrowdSizes::default() };
         for (instance, &CrowdInstance { mesh, .. }) in instances.iter().enumerate() {
             let mesh_count = self.meshes.places.len();
             let place =
                 self.meshes.places.get(mesh).ok_or(GpuError::NoSuchMesh { instance, mesh, mesh_count })?;
-            bit_words += u64::from(place.range_count);
-            base_triangles += u64::from(place.base_triangles);
-            first_bits.push(bit_words.min(u64::from(u32::MAX)) as u32);
+            sizes.bit_words += u64::from(place.range_count);
+            sizes.chunks += u64::from(place.range_count.div_ceil(THREADS));
+            sizes.blocks += u64::from(place.block_count);
+            sizes.base_triangles += u64::from(place.base_triangles);
+            // If there are more, the buffer is too large.
+            first_bits.push(sizes.bit_words.min(u64::from(u32::MAX)) as u32);
         }
-        let too_large = |what, needed_bytes| {
-            let (limit_bytes, adapter) = (4 * u64::from(u32::MAX), gpu.info().name.clone());
-            GpuError::TooLarge { what, needed_bytes, limit_bytes, adapter }
-        };
-        let words = u32::try_from(bit_words).map_err(|_| too_large("crowd step bits", 4 * bit_words))?;
-        let capacity = base_triangles.max(triangle_capacity as u64).saturating_mul(3);
-        let capacity =
-            u32::try_from(capacity).map_err(|_| too_large("crowd indices", capacity.saturating_mul(4)))?;
-        self.buffers = CrowdBuffers::new(gpu, instances.len(), words, capacity)?;
+        self.buffers = CrowdBuffers::new(gpu, &sizes, triangle_capacity as u64)?;
         self.bindings = bind(gpu, &self.meshes, &self.passes, &self.buffers);
         self.instances = instances.to_vec();
         self.first_bits = first_bits;
@@ -195,6 +225,9 @@ impl GpuCrowd {
             capacity,
             triangle_limit: triangle_limit.min(capacity as usize / 3) as u32,
             passes_instance: u32::from(gpu.device.features().contains(Features::INDIRECT_FIRST_INSTANCE)),
+            row: gpu.device.limits().max_compute_workgroups_per_dimension,
+            chunk_capacity: self.buffers.chunk_capacity,
+            unused: [0; 2],
         };
         gpu.queue.write_buffer(&self.buffers.parameters, 0, bytes_of(&parameters));
         gpu.queue.write_buffer(&self.buffers.cameras, 0, cast_slice(&cameras));
@@ -205,17 +238,17 @@ impl GpuCrowd {
     /// Records the decision about all steps.
     pub fn decide(&self, encoder: &mut CommandEncoder) {
         encoder.clear_buffer(&self.buffers.budget, 0, None);
-        let count = self.instances.len() as u32;
-        let ranges = self.largest(|place| place.range_count).div_ceil(THREADS);
-        let sizes = [[count.div_ceil(THREADS), 1], [ranges, count], [1, 1], [ranges, count]];
+        encoder.clear_buffer(&self.buffers.work, 0, Some(4 * WORK_HEADER));
+        let groups = (self.instances.len() as u32).div_ceil(THREADS);
+        let chunks = PassSize::Listed { work: &self.buffers.work, offset: CHUNKS };
+        let sizes = [PassSize::Groups(groups), PassSize::Groups(1), chunks, PassSize::Groups(1), chunks];
         self.passes.run(encoder, &self.bindings, 0, &sizes);
     }
 
     /// Records the extraction of the triangles that were decided last; draw them afterward.
     pub fn expand(&self, encoder: &mut CommandEncoder) {
-        let count = self.instances.len() as u32;
-        let sizes = [[count.min(1), 1], [self.largest(|place| place.block_count), count]];
-        self.passes.run(encoder, &self.bindings, DECIDING_COUNT, &sizes);
+        let blocks = PassSize::Listed { work: &self.buffers.work, offset: BLOCKS };
+        self.passes.run(encoder, &self.bindings, DECIDING_COUNT, &[PassSize::Groups(1), blocks]);
     }
 
     /// The draws of all instances, one command each, over the vertices of all meshes one after the other. The
@@ -245,8 +278,8 @@ impl GpuCrowd {
 
     /// Size of all other buffers of the instances except those of the triangles, bytes.
     pub fn state_bytes(&self) -> u64 {
-        let CrowdBuffers { cameras, states, commands, .. } = &self.buffers;
-        [cameras, states, commands].map(Buffer::size).iter().sum()
+        let CrowdBuffers { cameras, states, commands, work, .. } = &self.buffers;
+        [cameras, states, commands, work].map(Buffer::size).iter().sum()
     }
 
     /// Reads back the bits of all instances, one per step and set if the step is collapsed, for inspection.
@@ -296,14 +329,9 @@ impl GpuCrowd {
         let (triangle_counts, range_counts) = states.map(|state| (state[1], state[0])).unzip();
         Ok(CrowdCounts { triangle_counts, range_counts, threshold: budget[1] as i32 })
     }
-
-    /// Largest value of all meshes.
-    fn largest(&self, value: impl Fn(&crate::gpu::crowd_meshes::MeshPlace) -> u32) -> u32 {
-        self.meshes.places.iter().map(value).max().unwrap_or(0)
-    }
 }
 
-/// What a crowd shows.
+/// Counts of a crowd, as decided last.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct CrowdCounts {
     /// Triangles of each instance; 0 if it cannot be seen.
@@ -343,6 +371,8 @@ fn bind(
             &buffers.bits,
             &buffers.states,
             &buffers.budget,
+            &buffers.work,
+            &buffers.work,
         ],
     )
 }

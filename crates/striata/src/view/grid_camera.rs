@@ -52,7 +52,7 @@ pub struct GridCamera {
 
 /// Least and largest value of something.
 #[derive(Clone, Copy)]
-struct Interval {
+struct GridInterval {
     low: i32,
     high: i32,
 }
@@ -146,14 +146,14 @@ impl GridCamera {
     }
 
     /// Interval of a coordinate of a box in the view.
-    fn seen(&self, row: usize, part: &StepBox) -> Interval {
+    fn seen(&self, row: usize, part: &StepBox) -> GridInterval {
         let (mut middle, mut reach) = (0, 0);
         for ([low, high], turn) in part.sides().into_iter().zip(self.turn[row]) {
             let [low, high] = [i32::from(low), i32::from(high)];
             middle += turn * (low + high);
             reach += turn.abs() * (high - low);
         }
-        Interval {
+        GridInterval {
             low: ((middle - reach) >> self.shift) + self.low[row],
             high: self.high[row] - (-(middle + reach) >> self.shift),
         }
@@ -177,7 +177,7 @@ impl GridCamera {
 }
 
 /// Whether a part is to the left or the right of the screen, or above or below it.
-fn is_outside(across: Interval, half: i32, depth: Interval) -> bool {
+fn is_outside(across: GridInterval, half: i32, depth: GridInterval) -> bool {
     let limit = half * depth.high;
     half < STEEPEST && (across.low << 10 > limit || -across.high << 10 > limit)
 }

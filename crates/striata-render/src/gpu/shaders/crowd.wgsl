@@ -10,6 +10,12 @@ struct CrowdParameters {
     triangle_limit: u32,
     // 1 if indirect draws can pass the instance to the shader as the first instance.
     passes_instance: u32,
+    // Most workgroups along one dimension of a dispatch.
+    row: u32,
+    // Number of chunks that fit into the list of work; blocks follow them.
+    chunk_capacity: u32,
+    unused_x: u32,
+    unused_y: u32,
 }
 
 struct StepBox {
@@ -59,6 +65,8 @@ struct InstanceState {
     triangle_count: atomic<i32>,
     first_triangle: u32,
     written: atomic<u32>,
+    first_bits: u32,
+    step_limit: u32,
 }
 
 struct Budget {
@@ -80,12 +88,25 @@ struct Budget {
 @group(0) @binding(15) var<storage, read_write> decided: array<u32>;
 @group(0) @binding(16) var<storage, read_write> states: array<InstanceState>;
 @group(0) @binding(17) var<storage, read_write> budget: Budget;
+// Work of the passes after `plan`: for chunks of steps and for blocks of fans, the size of the dispatch and the number
+// of items; then an instance and a chunk for each item, and an instance and a block.
+@group(0) @binding(18) var<storage, read_write> listed: array<atomic<u32>>;
+// Read-only binding of `listed`.
+@group(0) @binding(19) var<storage, read> work: array<u32>;
 // Index count, instance count, first index, base vertex, first instance.
 @group(0) @binding(9) var<storage, read_write> commands: array<array<u32, 5>>;
 
 const CLASSES = 1024u;
 const CLASS_SHIFT = 6u;
 const RANGE = 32u;
+
+// Ranges of 32 steps in a chunk, which one workgroup decides.
+const CHUNK = 64u;
+
+// Words before the items of the list of work, and the places of the counts.
+const HEADER = 8u;
+const CHUNK_COUNT = 3u;
+const BLOCK_COUNT = 7u;
 
 // Constants of `GridCamera::weigh` and its logarithm.
 const MOST = 65535;
@@ -177,6 +198,11 @@ fn weigh(part: StepBox) -> i32 {
     return clamp(weight, 0, MOST);
 }
 
+fn list(item: u32, instance: u32, part: u32) {
+    atomicStore(&listed[HEADER + 2u * item], instance);
+    atomicStore(&listed[HEADER + 2u * item + 1u], part);
+}
+
 // Finds out for each instance whether it can be seen, and the ranges of steps that have to be evaluated: those that
 // would be refined if they were the whole mesh.
 @compute @workgroup_size(ROW)
@@ -206,22 +232,58 @@ fn plan(@builtin(global_invocation_id) id: vec3<u32>) {
         }
     }
     states[instance].range_count = found;
+    states[instance].first_bits = instances[instance].first_bits;
+    let step_end = min(RANGE * found, mesh.step_count);
+    states[instance].step_limit = step_end;
+    let chunks = (found + CHUNK - 1u) / CHUNK;
+    let first_item = atomicAdd(&listed[CHUNK_COUNT], chunks);
+    for (var chunk = 0u; chunk < chunks; chunk++) {
+        list(first_item + chunk, instance, chunk);
+    }
+    if triangles != 0u {
+        // Fans of a block come by ascending step.
+        for (var at = mesh.first_block; at < mesh.first_block + mesh.block_count; at++) {
+            if fans[blocks[at].x].w <= step_end {
+                list(parameters.chunk_capacity + atomicAdd(&listed[BLOCK_COUNT], 1u), instance, at);
+            }
+        }
+    }
     atomicStore(&states[instance].triangle_count, i32(triangles));
     atomicStore(&states[instance].written, 0u);
     atomicAdd(&budget.base_triangles, triangles);
 }
 
+// Sizes the dispatches of the listed work.
+@compute @workgroup_size(1)
+fn arrange() {
+    for (var first = 0u; first < HEADER; first += 4u) {
+        let count = atomicLoad(&listed[first + 3u]);
+        atomicStore(&listed[first], min(count, parameters.row));
+        atomicStore(&listed[first + 1u], (count + parameters.row - 1u) / parameters.row);
+        atomicStore(&listed[first + 2u], 1u);
+    }
+}
+
 // Adds up the triangles of all steps by the class of their weight.
 @compute @workgroup_size(ROW)
-fn classify(@builtin(global_invocation_id) id: vec3<u32>) {
-    let instance = id.y;
-    if id.x >= states[instance].range_count {
+fn classify(
+    @builtin(workgroup_id) group: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+    @builtin(local_invocation_index) thread: u32,
+) {
+    let item = group.x + group.y * groups.x;
+    if item >= work[CHUNK_COUNT] {
+        return;
+    }
+    let instance = work[HEADER + 2u * item];
+    let range = CHUNK * work[HEADER + 2u * item + 1u] + thread;
+    if range >= states[instance].range_count {
         return;
     }
     camera = instances[instance].camera;
     let mesh = meshes[instances[instance].mesh];
-    let end = min(RANGE * (id.x + 1u), mesh.step_count);
-    for (var step = RANGE * id.x; step < end; step++) {
+    let end = min(RANGE * (range + 1u), mesh.step_count);
+    for (var step = RANGE * range; step < end; step++) {
         let part = boxes[mesh.first_step + step];
         let weight = weigh(part);
         if weight > 0 {
@@ -247,18 +309,27 @@ fn choose() {
 
 // Decides 32 steps per thread.
 @compute @workgroup_size(ROW)
-fn decide(@builtin(global_invocation_id) id: vec3<u32>) {
-    let instance = id.y;
-    if id.x >= states[instance].range_count {
+fn decide(
+    @builtin(workgroup_id) group: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
+    @builtin(local_invocation_index) thread: u32,
+) {
+    let item = group.x + group.y * groups.x;
+    if item >= work[CHUNK_COUNT] {
+        return;
+    }
+    let instance = work[HEADER + 2u * item];
+    let range = CHUNK * work[HEADER + 2u * item + 1u] + thread;
+    if range >= states[instance].range_count {
         return;
     }
     camera = instances[instance].camera;
     let mesh = meshes[instances[instance].mesh];
     let threshold = budget.threshold;
-    let end = min(RANGE * (id.x + 1u), mesh.step_count);
+    let end = min(RANGE * (range + 1u), mesh.step_count);
     var word = 0u;
     var added = 0;
-    for (var step = RANGE * id.x; step < end; step++) {
+    for (var step = RANGE * range; step < end; step++) {
         let part = boxes[mesh.first_step + step];
         if weigh(part) > threshold {
             added += part.added;
@@ -266,7 +337,7 @@ fn decide(@builtin(global_invocation_id) id: vec3<u32>) {
             word |= 1u << (step & 31u);
         }
     }
-    decided[instances[instance].first_bits + id.x] = word;
+    decided[states[instance].first_bits + range] = word;
     atomicAdd(&states[instance].triangle_count, added);
 }
 
@@ -307,20 +378,18 @@ var<workgroup> reserved: u32;
 @compute @workgroup_size(ROW)
 fn expand(
     @builtin(workgroup_id) group: vec3<u32>,
+    @builtin(num_workgroups) groups: vec3<u32>,
     @builtin(local_invocation_index) thread: u32,
 ) {
-    let instance = group.y;
-    let mesh = meshes[instances[instance].mesh];
-    step_limit = min(RANGE * states[instance].range_count, mesh.step_count);
-    if group.x >= mesh.block_count || atomicLoad(&states[instance].triangle_count) <= 0 {
+    let item = group.x + group.y * groups.x;
+    if item >= work[BLOCK_COUNT] {
         return;
     }
-    let block = blocks[mesh.first_block + group.x];
-    // Fans of a block come by ascending step.
-    if fans[block.x].w > step_limit {
-        return;
-    }
-    first_bits = instances[instance].first_bits;
+    let place = HEADER + 2u * (parameters.chunk_capacity + item);
+    let instance = work[place];
+    let block = blocks[work[place + 1u]];
+    first_bits = states[instance].first_bits;
+    step_limit = states[instance].step_limit;
     index_limit = parameters.capacity;
     var active_mask = vec4(0u);
     for (var row = 0u; row < 4u; row++) {
