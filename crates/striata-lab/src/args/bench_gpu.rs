@@ -12,11 +12,15 @@ use striata_command::strip_chain::{StripChain, StripPlan};
 /// Help heading of the flags about drawing.
 const DRAWN: &str = "Drawing";
 
+/// Help heading of the flags about many instances.
+const CROWD: &str = "Crowd";
+
 /// Arguments of `bench-gpu`.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     striata-lab bench-gpu bunny.ply cow.obj\n  \
-    striata-lab bench-gpu bunny.ply --ways fans,fans-compute --json")]
+    striata-lab bench-gpu bunny.ply --ways fans,fans-compute --json\n  \
+    striata-lab bench-gpu bunny.ply --ways fans-compute --frames 2 --crowd 1000")]
 pub(crate) struct BenchGpuArgs {
     /// Draw these meshes, .striata files (at full detail) or shapes such as shape:sphere
     #[arg(value_name = "INPUT", required = true)]
@@ -43,6 +47,23 @@ pub(crate) struct BenchGpuArgs {
     /// Build models from the strips of these stripifiers, as in `strip`
     #[arg(long, value_name = "SPEC", default_value_t = BUILD_STRIPS.into(), help_heading = DRAWN)]
     strips: StripChain,
+    /// Also refine this many instances of a mesh on the GPU, at 1 pixel in 1920x1080
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = clap::value_parser!(u32).range(1..=65_535),
+        help_heading = CROWD
+    )]
+    pub crowd: Option<u32>,
+    /// Show at most this many triangles of all instances together
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 10_000_000,
+        value_parser = clap::value_parser!(u32).range(1..=100_000_000),
+        help_heading = CROWD
+    )]
+    pub crowd_triangles: u32,
     /// Use the graphics adapter whose name contains this [default: the fastest]
     #[arg(long, value_name = "NAME", help_heading = "Adapter")]
     pub adapter: Option<String>,

@@ -4,6 +4,7 @@
 //! steps, and back. `--pace exponential` is the other test of \[BRR02\], its figure 4. The camera stays still, so every way draws the same pixels and only the triangles change.
 
 mod bench_scene;
+mod crowd;
 mod report;
 mod timings;
 pub(crate) mod ways;
@@ -13,6 +14,7 @@ use std::time::Instant;
 use striata_render::gpu::{AdapterKind, Gpu, GpuOptions};
 
 use self::bench_scene::BenchScene;
+use self::crowd::CrowdReport;
 use self::report::{GpuMeshReport, GpuReport};
 use self::timings::Timings;
 use crate::args::BenchGpuArgs;
@@ -46,7 +48,12 @@ pub(crate) fn run(args: &BenchGpuArgs, output: &Output) -> Result<(), Failure> {
         let bench = BenchScene::new(&gpu, (&input.name, &mesh), (size, &plan), &mut bar).map_err(in_input)?;
         let timings =
             Timings::run(&bench, &entries, args.pace, args.frames as usize, &mut bar).map_err(in_input)?;
-        meshes.push(GpuMeshReport::new(input.file_name(), &bench, timings));
+        let crowd = |count: u32| {
+            bar.phase("crowd");
+            CrowdReport::new(&gpu, &bench.refinable, count as usize, args.crowd_triangles as usize)
+        };
+        let crowd = args.crowd.map(crowd).transpose().map_err(in_input)?;
+        meshes.push(GpuMeshReport::new(input.file_name(), &bench, timings, crowd));
     }
     let report = GpuReport::new(&gpu, args, meshes, started);
     output.data(&report, &report.to_text())

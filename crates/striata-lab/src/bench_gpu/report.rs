@@ -6,6 +6,7 @@ use serde::Serialize;
 use striata_render::gpu::{Gpu, wgpu};
 
 use super::bench_scene::BenchScene;
+use super::crowd::CrowdReport;
 use super::timings::{TimeSpread, Timings, WayCost};
 use super::ways;
 use crate::args::BenchGpuArgs;
@@ -46,11 +47,17 @@ pub(super) struct GpuMeshReport {
     strip_count: usize,
     rounds: usize,
     ways: Vec<WayCost>,
+    crowd: Option<CrowdReport>,
 }
 
 impl GpuMeshReport {
     /// Combines the mesh's counts with the measured times.
-    pub(super) fn new(name: String, bench: &BenchScene<'_>, timings: Timings) -> Self {
+    pub(super) fn new(
+        name: String,
+        bench: &BenchScene<'_>,
+        timings: Timings,
+        crowd: Option<CrowdReport>,
+    ) -> Self {
         let Timings { costs: ways, rounds } = timings;
         Self {
             name,
@@ -61,6 +68,7 @@ impl GpuMeshReport {
             strip_count: bench.strips.strip_count(),
             rounds,
             ways,
+            crowd,
         }
     }
 
@@ -113,6 +121,7 @@ impl GpuMeshReport {
             ]);
         }
         text.push_str(&table.to_text());
+        text.extend(self.crowd.iter().map(CrowdReport::to_text));
     }
 }
 

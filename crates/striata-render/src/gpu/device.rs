@@ -79,6 +79,47 @@ impl Gpu {
         reported.map_or(Ok(()), |report| Err(GpuError::Failed(report)))
     }
 
+    /// Compiles compute shaders.
+    pub(crate) fn compute_module(&self, label: &'static str, code: &str) -> wgpu::ShaderModule {
+        let source = wgpu::ShaderSource::Wgsl(code.into());
+        self.device.create_shader_module(wgpu::ShaderModuleDescriptor { label: Some(label), source })
+    }
+
+    /// Creates the pipeline of one pass; its layout has the bindings that the pass uses.
+    pub(crate) fn compute_pipeline(
+        &self,
+        module: &wgpu::ShaderModule,
+        entry_point: &'static str,
+    ) -> wgpu::ComputePipeline {
+        self.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+            label: Some(entry_point),
+            layout: None,
+            module,
+            entry_point: Some(entry_point),
+            compilation_options: Default::default(),
+            cache: None,
+        })
+    }
+
+    /// Binds those of the buffers, listed by binding, that a pass uses.
+    pub(crate) fn bind_compute(
+        &self,
+        pipeline: &wgpu::ComputePipeline,
+        bindings: &[u32],
+        buffers: &[&wgpu::Buffer],
+    ) -> wgpu::BindGroup {
+        let entry = |&binding: &u32| wgpu::BindGroupEntry {
+            binding,
+            resource: buffers[binding as usize].as_entire_binding(),
+        };
+        let entries: Vec<wgpu::BindGroupEntry<'_>> = bindings.iter().map(entry).collect();
+        self.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: None,
+            layout: &pipeline.get_bind_group_layout(0),
+            entries: &entries,
+        })
+    }
+
     /// Creates a buffer that contains `data`, or four unused bytes if `data` is empty, since GPU buffers
     /// cannot be empty.
     pub(crate) fn buffer_of(

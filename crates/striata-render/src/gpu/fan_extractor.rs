@@ -42,17 +42,9 @@ struct ExtractionParameters {
 impl FanExtractor {
     /// Compiles the shaders and creates the pipelines.
     pub fn new(gpu: &Gpu) -> Self {
-        let module = gpu.device.create_shader_module(wgpu::include_wgsl!("shaders/fans.wgsl"));
-        let pipelines = PASSES.map(|(entry_point, _)| {
-            gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-                label: Some(entry_point),
-                layout: None,
-                module: &module,
-                entry_point: Some(entry_point),
-                compilation_options: Default::default(),
-                cache: None,
-            })
-        });
+        let code = concat!(include_str!("shaders/fan_rules.wgsl"), include_str!("shaders/fans.wgsl"));
+        let module = gpu.compute_module("fans", code);
+        let pipelines = PASSES.map(|(entry_point, _)| gpu.compute_pipeline(&module, entry_point));
         Self { pipelines, row: gpu.device.limits().max_compute_workgroups_per_dimension }
     }
 
@@ -101,18 +93,7 @@ impl FanExtractor {
             buffers.commands,
             buffers.sums,
         ];
-        Ok(std::array::from_fn(|pass| {
-            let entry = |&binding: &u32| wgpu::BindGroupEntry {
-                binding,
-                resource: bound[binding as usize].as_entire_binding(),
-            };
-            let entries: Vec<wgpu::BindGroupEntry<'_>> = PASSES[pass].1.iter().map(entry).collect();
-            gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-                label: Some(PASSES[pass].0),
-                layout: &self.pipelines[pass].get_bind_group_layout(0),
-                entries: &entries,
-            })
-        }))
+        Ok(std::array::from_fn(|pass| gpu.bind_compute(&self.pipelines[pass], PASSES[pass].1, &bound)))
     }
 }
 

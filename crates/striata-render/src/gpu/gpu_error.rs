@@ -114,6 +114,33 @@ pub enum GpuError {
         /// Largest number supported.
         limit: usize,
     },
+    /// A crowd has more instances than one dispatch can process.
+    #[error("the crowd has {count} instances, but this adapter processes at most {limit}")]
+    TooManyInstances {
+        /// Number of instances.
+        count: usize,
+        /// Largest number supported.
+        limit: u32,
+    },
+    /// An instance of a crowd shows a mesh that does not exist.
+    #[error("instance {instance} shows mesh {mesh}, but there are {mesh_count} meshes")]
+    NoSuchMesh {
+        /// Index of the instance.
+        instance: usize,
+        /// The mesh index it contains.
+        mesh: usize,
+        /// Number of meshes.
+        mesh_count: usize,
+    },
+    /// An instance of a crowd cannot be placed.
+    #[error(
+        "instance {instance} has a transform that is not a rotation with a translation and a uniform scale, \
+         or the eye is too far away"
+    )]
+    Placement {
+        /// Index of the instance.
+        instance: usize,
+    },
     /// The device was lost, or a result could not be read back.
     #[error("the graphics device failed: {0}")]
     Failed(String),

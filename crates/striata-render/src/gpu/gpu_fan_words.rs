@@ -64,6 +64,14 @@ impl FanWords {
         out
     }
 
+    /// Appends the fans and blocks of another mesh; groups are not kept apart.
+    pub(crate) fn append(&mut self, other: Self) {
+        let [first_fan, first_word] = [self.fans.len(), self.words.len()].map(|count| count as u32);
+        self.fans.extend(other.fans.iter().map(|&[v, word, flags, own]| [v, word + first_word, flags, own]));
+        self.blocks.extend(other.blocks.iter().map(|&[fan, count]| [fan + first_fan, count]));
+        self.words.extend(other.words);
+    }
+
     /// Size of all tables, bytes.
     pub(crate) fn bytes(&self) -> usize {
         size_of_val(&self.fans[..])

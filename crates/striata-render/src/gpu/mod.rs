@@ -21,7 +21,8 @@
 //! `vertices`, `indices`, `drawing` and `gpu_lod_strips` contain what is drawn; `projection`, `look`,
 //! `painter` and `inspection` draw it; `lit` draws it with materials; `renderer` draws shots; `canvas` and
 //! `frame_clock` are the target and the timing; `gpu_fan_words`, `gpu_fans`, `fan_extractor` and
-//! `gpu_fan_instance` extract triangles from fans; `probe` tries all of it on an adapter except `lit`.
+//! `gpu_fan_instance` extract triangles from fans; `crowd_meshes`, `crowd_passes` and `gpu_crowd` refine many
+//! instances without any history; `probe` tries all of it on an adapter except `lit`.
 //!
 //! ```no_run
 //! use striata::model::{FanInstance, Fans};
@@ -59,11 +60,14 @@
 mod adapters;
 mod canvas;
 mod copy_back;
+mod crowd_meshes;
+mod crowd_passes;
 mod device;
 mod drawing;
 mod fan_extractor;
 mod frame_clock;
 mod gl_restart;
+mod gpu_crowd;
 mod gpu_error;
 mod gpu_fan_instance;
 mod gpu_fan_words;
@@ -82,10 +86,12 @@ mod vertices;
 
 pub use adapters::{AdapterKind, ChosenAdapter, GpuOptions, choose_adapter};
 pub use canvas::{Canvas, Picture};
+pub use crowd_meshes::CrowdMesh;
 pub use device::Gpu;
 pub use drawing::Drawing;
 pub use fan_extractor::FanExtractor;
 pub use frame_clock::FrameClock;
+pub use gpu_crowd::{CrowdCounts, CrowdInstance, GpuCrowd};
 pub use gpu_error::{GpuError, RejectedAdapter};
 pub use gpu_fan_instance::GpuFanInstance;
 pub use gpu_fans::GpuFans;

@@ -1,5 +1,6 @@
 //! Tests of drawing with wgpu.
 
+mod crowd;
 mod fans;
 mod lit;
 mod pictures;

@@ -41,8 +41,8 @@ mod varint;
 pub use bits::Bits;
 pub use error::ModelError;
 pub use fans::{
-    BoundScope, FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanOptions, FanScene, FanSource,
-    FanTriangles, FanUpdate, Fans, FansLevel, MovingVertex, fan_triangles_into,
+    BoundScope, FanBoxes, FanForm, FanFront, FanIndices, FanInstance, FanMorphs, FanOptions, FanScene,
+    FanSource, FanTriangles, FanUpdate, Fans, FansLevel, MovingVertex, fan_triangles_into,
 };
 pub use geomorph::{Geomorph, MorphVertex, VertexBlend};
 pub use kind::{ModelKind, UnknownModel};

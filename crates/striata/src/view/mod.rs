@@ -17,16 +17,21 @@ mod camera;
 mod cone;
 mod criterion;
 mod detail_box;
+mod fixed_log;
+mod grid_camera;
 mod screen_error;
 mod screen_lanes;
 mod sphere;
+mod step_box;
 
 pub use camera::{Camera, CameraError};
 pub use cone::NormalCone;
 pub use criterion::{Criterion, Part, Verdict};
 pub use detail_box::DetailBox;
+pub use grid_camera::GridCamera;
 pub use screen_error::{Fovea, ScreenError};
 pub use sphere::Sphere;
+pub use step_box::{BoxGrid, StepBox};
 
 /// Upper bound on the rounding error of a sum of a few products of numbers around 1.
 const SLACK: f32 = 1e-5;

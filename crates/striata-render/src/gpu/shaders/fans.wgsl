@@ -1,5 +1,5 @@
 // Extracts progressive fans: counts the active arcs, computes where their triangles go, and writes the
-// triangles.
+// triangles. Follows `fan_rules.wgsl`.
 //
 // A workgroup processes one block of fans of one group, each thread up to four fans. Blocks are numbered
 // along the rows of the dispatch.
@@ -14,62 +14,18 @@ struct ExtractionParameters {
 }
 
 @group(0) @binding(0) var<uniform> parameters: ExtractionParameters;
-// x: vertex, y: index of its first word, z: flags and counts, w: 1 + its own step, 0 in the base.
-@group(0) @binding(1) var<storage, read> fans: array<vec4<u32>>;
-@group(0) @binding(2) var<storage, read> words: array<u32>;
 // First fan and fan count.
 @group(0) @binding(3) var<storage, read> blocks: array<vec2<u32>>;
 // First block of each group, followed by the block count.
 @group(0) @binding(4) var<storage, read> group_blocks: array<u32>;
-// One bit per step: set if it is collapsed.
-@group(0) @binding(5) var<storage, read> collapsed: array<u32>;
 // Active arcs of each fan, as a bit mask.
 @group(0) @binding(6) var<storage, read_write> arcs: array<u32>;
 // Number of active arcs in each block; after `allocate`, in all blocks before it.
 @group(0) @binding(7) var<storage, read_write> sums: array<u32>;
 // Read-only binding of `sums`, for the pass that does not write it.
 @group(0) @binding(10) var<storage, read> firsts: array<u32>;
-@group(0) @binding(8) var<storage, read_write> indices: array<u32>;
 // Index count, instance count, first index, base vertex, first instance.
 @group(0) @binding(9) var<storage, read_write> commands: array<array<u32, 5>>;
-
-// The fans of a block form four rows; a thread takes one fan of each row, so that reads are coalesced.
-const ROW = 64u;
-const BLOCK = 256u;
-
-fn node_count(flags: u32) -> u32 { return flags & 63u; }
-fn is_closed(flags: u32) -> bool { return (flags & 64u) != 0u; }
-fn is_wide(flags: u32) -> bool { return (flags & 128u) != 0u; }
-fn has_permanent(flags: u32) -> bool { return (flags & 256u) != 0u; }
-fn maker_count(flags: u32) -> u32 { return flags >> 9u; }
-
-fn is_collapsed(step: u32) -> u32 {
-    return (collapsed[step >> 5u] >> (step & 31u)) & 1u;
-}
-
-fn active_arcs(fan: vec4<u32>) -> u32 {
-    if fan.w > 0u && is_collapsed(fan.w - 1u) == 1u {
-        return 0u;
-    }
-    var at = fan.y + node_count(fan.z);
-    var active_mask = 0u;
-    if has_permanent(fan.z) {
-        active_mask = words[at];
-        at += 1u;
-    }
-    let makers = maker_count(fan.z);
-    if is_wide(fan.z) {
-        for (var i = 0u; i < makers; i++) {
-            active_mask |= words[at + 2u * i + 1u] * is_collapsed(words[at + 2u * i]);
-        }
-    } else {
-        for (var i = 0u; i < makers; i++) {
-            let maker = words[at + i];
-            active_mask |= (maker & 255u) * is_collapsed((maker >> 8u) + fan.w);
-        }
-    }
-    return active_mask;
-}
 
 fn block_index(group: vec3<u32>, groups: vec3<u32>) -> u32 {
     return group.x + group.y * groups.x;
@@ -101,33 +57,6 @@ fn count(
     if thread == 0u {
         sums[block_id] = atomicLoad(&total);
     }
-}
-
-var<workgroup> scan: array<vec4<u32>, ROW>;
-
-// Exclusive prefix sum over four rows, one row after the other: the sum of all values before this
-// thread's, and the total.
-struct PrefixSum {
-    before: vec4<u32>,
-    sum: u32,
-}
-
-fn prefix_sum(thread: u32, own: vec4<u32>) -> PrefixSum {
-    scan[thread] = own;
-    workgroupBarrier();
-    for (var reach = 1u; reach < ROW; reach <<= 1u) {
-        var below = vec4(0u);
-        if thread >= reach {
-            below = scan[thread - reach];
-        }
-        workgroupBarrier();
-        scan[thread] += below;
-        workgroupBarrier();
-    }
-    let rows = scan[ROW - 1u];
-    let second = rows.x + rows.y;
-    let third = second + rows.z;
-    return PrefixSum(scan[thread] - own + vec4(0u, rows.x, second, third), third + rows.w);
 }
 
 // Runs in one workgroup: turns the counts of the blocks into prefix sums and writes the draw of each group.
@@ -164,22 +93,6 @@ fn allocate(@builtin(local_invocation_index) thread: u32) {
     }
 }
 
-fn write_fan(fan: vec4<u32>, arcs_shown: u32, first: u32) {
-    let nodes = node_count(fan.z);
-    var active_mask = arcs_shown;
-    var at = first;
-    while active_mask != 0u && at + 3u <= parameters.capacity {
-        let arc = firstTrailingBit(active_mask);
-        active_mask &= active_mask - 1u;
-        // Only the last arc of a closed fan wraps around to the first node.
-        let next = select(arc + 1u, 0u, arc + 1u == nodes);
-        indices[at] = fan.x;
-        indices[at + 1u] = words[fan.y + arc];
-        indices[at + 2u] = words[fan.y + next];
-        at += 3u;
-    }
-}
-
 @compute @workgroup_size(ROW)
 fn write(
     @builtin(workgroup_id) group: vec3<u32>,
@@ -190,6 +103,7 @@ fn write(
     if block_id >= parameters.block_count || firsts[block_id] == firsts[block_id + 1u] {
         return;
     }
+    index_limit = parameters.capacity;
     let block = blocks[block_id];
     var active_mask = vec4(0u);
     for (var row = 0u; row < 4u; row++) {

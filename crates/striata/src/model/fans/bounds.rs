@@ -11,6 +11,10 @@
 //! The center of a sphere is the position of its step, which is stored anyway. For the packing of a record
 //! see `part_record.rs`.
 
+mod boxes;
+
+pub use boxes::FanBoxes;
+
 use glam::DVec3;
 
 use super::{BoundScope, FanSource, Fans};

@@ -56,6 +56,7 @@ mod table;
 mod table_fan;
 mod validate;
 
+pub use bounds::FanBoxes;
 pub use build::{BoundScope, FanOptions, FanSource};
 pub use emit::{FanForm, FanIndices, fan_triangles_into};
 pub use fan_triangles::FanTriangles;
