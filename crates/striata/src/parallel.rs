@@ -11,3 +11,14 @@ pub(crate) fn map<T: Send>(numbers: std::ops::Range<usize>, run: impl Fn(usize) 
     #[cfg(not(feature = "parallel"))]
     numbers.map(run).collect()
 }
+
+/// Changes all items of a list; on several threads if the feature `parallel` is enabled.
+pub(crate) fn for_each<T: Send>(items: &mut [T], change: impl Fn(&mut T) + Sync) {
+    #[cfg(feature = "parallel")]
+    {
+        use rayon::prelude::*;
+        items.par_iter_mut().for_each(&change);
+    }
+    #[cfg(not(feature = "parallel"))]
+    items.iter_mut().for_each(change);
+}

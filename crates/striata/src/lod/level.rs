@@ -28,6 +28,10 @@ impl Level {
         }
     }
 
+    pub(super) fn tables(&self) -> &Arc<LodTables> {
+        &self.tables
+    }
+
     /// Moves to another level of the same mesh, reusing memory.
     pub fn move_to(&mut self, target: Target) {
         let fans = self.tables.fans();

@@ -32,11 +32,13 @@ mod options;
 mod strip_level;
 mod tables;
 mod view;
+mod view_set;
 
 pub use level::Level;
 pub use options::LodOptions;
 pub use strip_level::StripLevel;
 pub use view::View;
+pub use view_set::{InstanceId, PlacementError, ViewSet, ViewSetUpdate};
 
 use std::sync::Arc;
 

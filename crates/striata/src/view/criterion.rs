@@ -35,6 +35,18 @@ impl Verdict {
         Self { weight, motion_margin: 0.0 }
     }
 
+    /// Returns the decision to refine a part if this decision or another one is to refine it.
+    #[must_use]
+    pub fn or(self, other: Self) -> Self {
+        let motion_margin = match (self.should_refine(), other.should_refine()) {
+            (true, true) => self.motion_margin.max(other.motion_margin),
+            (true, false) => self.motion_margin,
+            (false, true) => other.motion_margin,
+            (false, false) => self.motion_margin.min(other.motion_margin),
+        };
+        Self { weight: self.weight.max(other.weight), motion_margin }
+    }
+
     /// Whether the part should be refined.
     pub fn should_refine(&self) -> bool {
         self.weight > 1.0

@@ -3,13 +3,8 @@
 use glam::Vec3;
 use wide::f32x8;
 
-use super::screen_error::{EYE_SHARE, LANES};
+use super::screen_error::{EYE_SHARE, LANES, STRETCH};
 use super::{Part, ScreenError, Verdict};
-
-/// Maximum change of the effective distance, by which errors are divided, when a point moves by 1 in the
-/// view. The effective distance is `d cos^2 a` at an angle `a` from the view axis, and its slope is `cos a
-/// sqrt(4 - 3 cos^2 a)`.
-const STRETCH: f32 = 1.16;
 
 /// Upper bound on the relative rounding error of a length here.
 const SLACK: f32 = 4e-6;
@@ -34,6 +29,14 @@ struct ViewPositions {
     square: f32x8,
     distance: f32x8,
     /// Radius of the parts, enlarged to cover rounding.
+    radius: f32x8,
+}
+
+/// Lines of sight from the camera to the centers of parts, and the radius of the parts.
+struct LinesOfSight {
+    to_center: [f32x8; 3],
+    square: f32x8,
+    distance: f32x8,
     radius: f32x8,
 }
 
@@ -88,23 +91,39 @@ impl ScreenError {
     #[inline]
     pub(super) fn weigh_lanes(&self, parts: &[Part], verdicts: &mut [Verdict; LANES]) {
         let lanes = Lanes::new(parts);
-        let positions = self.positions(&lanes);
+        self.weigh_for_camera(&lanes, verdicts);
+        for other in &self.others {
+            let mut verdicts_of_other = [Verdict::now(0.0); LANES];
+            other.weigh_lanes(parts, &mut verdicts_of_other);
+            for (verdict, of_other) in verdicts.iter_mut().zip(verdicts_of_other) {
+                *verdict = verdict.or(of_other);
+            }
+        }
+    }
+
+    #[inline]
+    fn weigh_for_camera(&self, lanes: &Lanes, verdicts: &mut [Verdict; LANES]) {
+        let positions = self.positions(lanes);
         let seen = self.seen(&positions);
-        let [away, faces] = facing(&lanes, &positions);
-        let (allowed, allowed_margin) = self.allowed(&lanes, faces);
+        let [away, faces] = facing(lanes, &self.sight(&positions));
+        let (allowed, allowed_margin) = self.allowed(lanes, faces);
         let FoveaRelaxation { factor, slope: factor_slope, motion_margin: factor_margin } =
             self.fovea_relaxation(&positions);
 
         // All quantities change no faster than the view moves, and are no larger for parts inside a part.
-        let cos = (positions.view[2] / positions.distance).fast_max(splat(self.corner));
-        let near = (positions.distance * cos * cos - splat(STRETCH) * positions.radius) * factor;
+        let (near, near_slope) = if self.is_orthographic {
+            (splat(1.0), splat(f32::MIN_POSITIVE))
+        } else {
+            let cos = (positions.view[2] / positions.distance).fast_max(splat(self.corner));
+            let near = positions.distance * cos * cos - splat(STRETCH) * positions.radius;
+            (near * factor, splat(STRETCH) * factor + factor_slope)
+        };
         // If the eye may touch a part, no error is small enough; errors still determine the order.
         let nearest = splat(self.nearest);
         let touched = near.simd_le(nearest).bitselect(splat(2.0), splat(0.0));
         let needed = (lanes.error * splat(self.scale) / allowed).fast_min(splat(f32::MAX));
-        let slope = splat(STRETCH) * factor + factor_slope;
         let change = (near - needed).abs().fast_min((near - nearest).abs());
-        let error_margin = (change / slope).fast_min(allowed_margin).fast_min(factor_margin);
+        let error_margin = (change / near_slope).fast_min(allowed_margin).fast_min(factor_margin);
 
         let weight =
             needed / near.fast_max(nearest) + needed.simd_gt(splat(0.0)).bitselect(touched, splat(0.0));
@@ -130,17 +149,42 @@ impl ScreenError {
         // A part whose center is at the eye lies in no direction; any direction will do.
         let distance = square.sqrt() + splat(f32::MIN_POSITIVE);
         ViewPositions {
-            view: [self.right, self.up, self.forward].map(|axis| dot(eye_to_center, splat3(axis))),
+            view: [self.across_screen[0], self.across_screen[1], self.forward]
+                .map(|axis| dot(eye_to_center, splat3(axis))),
             eye_to_center,
             square,
             distance,
-            radius: lanes.radius + (lanes.radius + distance) * splat(SLACK),
+            radius: lanes.radius + (lanes.radius + distance) * splat(SLACK) + splat(self.reserve),
+        }
+    }
+
+    /// Lines of sight from the camera to the parts.
+    #[inline]
+    fn sight(&self, positions: &ViewPositions) -> LinesOfSight {
+        // The eye may move farther than the model does in the view.
+        let reserve = splat(self.reserve * (1.0 / EYE_SHARE - 1.0));
+        if !self.is_orthographic {
+            let ViewPositions { eye_to_center, square, distance, radius, .. } = *positions;
+            return LinesOfSight { to_center: eye_to_center, square, distance, radius: radius + reserve };
+        }
+        // The lines are parallel. Their common length is the radius of the model, because a rotation by some angle
+        // counts as a motion by that angle times this radius.
+        let length = self.model_radius();
+        LinesOfSight {
+            to_center: splat3(self.forward * length),
+            square: splat(length * length),
+            distance: splat(length),
+            radius: splat(length * SLACK + self.reserve / EYE_SHARE),
         }
     }
 
     /// How far spheres reach into the view frustum; negative if they are outside.
     #[inline]
     fn seen(&self, positions: &ViewPositions) -> f32x8 {
+        if self.is_orthographic {
+            let side = |i: usize| splat(self.half[i]) - positions.view[i].abs();
+            return side(0).fast_min(side(1)) + positions.radius;
+        }
         let side = |i: usize| {
             (splat(self.half[i]) * positions.view[2] - positions.view[i].abs()) * splat(self.across[i])
         };
@@ -173,7 +217,11 @@ impl ScreenError {
         let Some((fovea, gaze)) = &self.fovea else {
             return FoveaRelaxation { factor: splat(1.0), slope: splat(0.0), motion_margin: splat(f32::MAX) };
         };
-        let towards = positions.view.map(|x| x / positions.distance);
+        // The view is inclined if the camera is off-center.
+        let shift = [0, 1].map(|i| splat(-self.across_screen[i].dot(self.forward)));
+        let [x, y, depth] = positions.view;
+        let view = [x + shift[0] * depth, y + shift[1] * depth, depth];
+        let towards = view.map(|x| x / positions.distance);
         let chord = minus(towards, *gaze);
         // No point of the sphere is seen farther from the gaze than this; an angle is at least as large as
         // its chord.
@@ -198,15 +246,15 @@ impl ScreenError {
 /// component along the line of sight is `d cos(b + a) - r`, where `b` is the angle between the line of
 /// sight and the axis. That is exact, so parts inside a part are turned at least as far.
 #[inline]
-fn facing(lanes: &Lanes, positions: &ViewPositions) -> [f32x8; 2] {
-    let along = dot(positions.eye_to_center, lanes.axis);
+fn facing(lanes: &Lanes, sight: &LinesOfSight) -> [f32x8; 2] {
+    let along = dot(sight.to_center, lanes.axis);
     // If the line of sight is almost parallel to the axis, rounding may make this component too small.
-    let off_axis = (positions.square * splat(1.0 + ALONG_SLACK) - along * along).fast_max(splat(0.0)).sqrt();
+    let off_axis = (sight.square * splat(1.0 + ALONG_SLACK) - along * along).fast_max(splat(0.0)).sqrt();
     let sin = (splat(1.0) - lanes.cos * lanes.cos).fast_max(splat(0.0)).sqrt();
-    let lean = off_axis * sin + positions.radius;
+    let lean = off_axis * sin + sight.radius;
     let along = along * lanes.cos;
     let is_narrow = lanes.cos.simd_gt(splat(0.0));
-    let wide = -(positions.distance + positions.radius);
+    let wide = -(sight.distance + sight.radius);
     [along, -along].map(|along| is_narrow.bitselect(along - lean, wide))
 }
 
@@ -224,9 +272,14 @@ mod tests {
     fn no_point_of_a_sphere_has_a_larger_error() {
         let mut random = Random::new(21);
         let (mut compared, mut tight) = (0, 0.0f32);
-        for _ in 0..40_000 {
+        for round in 0..120_000 {
             let eye = direction(&mut random) * 5.0;
             let camera = Camera::new(eye.into(), [0.0; 3], [0.1, 1.0, 0.2], 1.2, [900, 700]).unwrap();
+            let camera = match round % 3 {
+                0 => camera,
+                1 => Camera { shift: [1.3, -0.4], ..camera },
+                _ => Camera { is_orthographic: true, half: [3.0, 2.5], ..camera },
+            };
             let center = direction(&mut random) * 4.0 * random.unit() as f32;
             let sphere = Sphere { center: center.into(), radius: random.unit() as f32 };
             let part = Part { sphere, cone: NormalCone::ALL, error: 0.01 };
