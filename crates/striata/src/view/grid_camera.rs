@@ -64,8 +64,8 @@ impl GridCamera {
     /// Moves a criterion's camera onto the grid of a model that is shown with a transform, a matrix in column order.
     /// Only the camera and its tolerance count; silhouettes, regions and the fovea are ignored.
     ///
-    /// Returns [`None`] if the transform is anything but a rotation with a translation and a uniform scale, or if the
-    /// eye is farther than 2^34 model sizes away.
+    /// Returns [`None`] if the transform is anything but a rotation with a translation and a uniform scale, if the
+    /// eye is farther than 2^34 model sizes away, or if the criterion has an orthographic camera or several cameras.
     pub fn new(criterion: &ScreenError, transform: &[f64; 16], grid: &BoxGrid) -> Option<Self> {
         let matrix = DMat4::from_cols_array(transform);
         let linear = DMat3::from_mat4(matrix);
@@ -73,6 +73,9 @@ impl GridCamera {
         let is_similar =
             squares.abs_diff_eq(DMat3::from_diagonal(DVec3::splat(scale * scale)), 1e-5 * scale * scale);
         if !(is_similar && linear.determinant() > 0.0 && matrix.is_finite()) {
+            return None;
+        }
+        if criterion.camera().is_orthographic || !criterion.others.is_empty() {
             return None;
         }
         let camera = criterion.camera().moved(&matrix.inverse());
@@ -95,8 +98,10 @@ impl GridCamera {
         let slack = 1.5 * 65_536.0 + 1.0 + farthest * 1e-12;
         let eye_shift = (0..31).find(|&bits| eye.abs().max_element() < f64::from(21 + bits).exp2())?;
         let eye_unit = f64::from(eye_shift).exp2();
-        let half = camera.half.map(|half| (half * 1024.0).ceil().min(f64::from(STEEPEST)) as i32);
-        let stretch = 4096.0 * (camera.half[0].powi(2) + camera.half[1].powi(2));
+        // If the screen is off-center, it is within one that is not.
+        let sides = camera.sides();
+        let half = sides.map(|half| (half * 1024.0).ceil().min(f64::from(STEEPEST)) as i32);
+        let stretch = 4096.0 * (sides[0].powi(2) + sides[1].powi(2));
         let pixels = f64::from(criterion.pixels()).max(0.0);
         Some(Self {
             turn,
