@@ -1,7 +1,7 @@
 //! Many instances of several models in front of a moving camera, within one triangle budget: `cargo run --release -p
 //! striata-render --example crowd -- [COUNT] [BUDGET] [MESH]...`.
 //!
-//! Prints the time of the frames, beside that of views which are all updated in each frame, and writes a picture of the
+//! Prints the time of the frames, and that of views which are all updated in each frame, and writes a picture of the
 //! last frame to `crowd.png`. Without meshes, there are ten generated models of 10,000 to 70,000 triangles.
 #![expect(clippy::print_stdout, reason = "an example shows what it found")]
 

@@ -19,7 +19,6 @@ const CROWD: &str = "Crowd";
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     striata-lab bench-gpu bunny.ply cow.obj\n  \
-    striata-lab bench-gpu bunny.ply --ways fans,fans-compute --json\n  \
     striata-lab bench-gpu bunny.ply --ways fans-compute --frames 2 --crowd 1000")]
 pub(crate) struct BenchGpuArgs {
     /// Draw these meshes, .striata files (at full detail) or shapes such as shape:sphere
