@@ -129,7 +129,7 @@ sys.exit("not interrupted")
 def stream_path(tmp_path_factory):
     """A stream that takes more than a second to decode."""
     path = tmp_path_factory.mktemp("streams") / "terrain.stri"
-    path.write_bytes(striata.encode(*striata.shapes.terrain(600), effort="small"))
+    path.write_bytes(striata.encode(*striata.shapes.terrain(1000), effort="compact"))
     return path
 
 

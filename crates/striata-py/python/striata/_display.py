@@ -31,7 +31,7 @@ def _frame(data: _striata.MeshData) -> str:
     """Return the viewer as a frame; nothing for a model that is empty or too large."""
     if data.face_count == 0 or data.face_count * _BYTES_PER_FACE > NOTEBOOK_LIMIT:
         return ""
-    stream = _striata.encode_mesh(data, (_BITS, None, "default"), None)
+    stream = _striata.encode_mesh(data, (_BITS, None, "fast"), None)
     text = _striata.viewer_page("model.stri", stream)
     if len(text) > NOTEBOOK_LIMIT:
         return ""
