@@ -140,6 +140,6 @@ test('a scene model names what is missing', () => {
   const scene = new SceneModel();
   scene.push(stream.subarray(0, 100));
   assert.ok(!scene.has_document && !scene.is_drawable && scene.mesh_count === 0);
-  assert.throws(() => scene.document(), ({ message }) => /needs at least \d+ bytes, and 100 are there/.test(message));
+  assert.throws(() => scene.document(), ({ message }) => /needs at least \d+ bytes/.test(message));
   scene.free();
 });
