@@ -55,7 +55,7 @@ pub struct CrowdInstance {
     pub transform: [f64; 16],
 }
 
-/// Instances of several meshes on the GPU; see the [module](self).
+/// Instances of several meshes on the GPU, refined for one camera without any history. An instance takes one bit per step.
 #[derive(Debug)]
 pub struct GpuCrowd {
     meshes: CrowdMeshes,
