@@ -47,7 +47,7 @@ def encode(
     lossless : bool
         Instead of `bits`: whether to keep every bit of points and attributes.
     effort : {"fast", "compact"}
-        ``"fast"`` decodes three times as quickly, ``"compact"`` is a tenth to a quarter smaller: for slow lines and
+        ``"fast"`` decodes three times as quickly, ``"compact"`` is 6 to 26 % smaller: for slow lines and
         storage.
     preview_side : int
         Scenes only: longest side of the previews of textures, in pixels.
