@@ -135,7 +135,7 @@ pub enum GpuError {
     /// An instance of a crowd cannot be placed.
     #[error(
         "instance {instance} has a transform that is not a rotation with a translation and a uniform scale, \
-         or the eye is too far away"
+         or the eye is too far away, or there are several cameras or an orthographic one"
     )]
     Placement {
         /// Index of the instance.

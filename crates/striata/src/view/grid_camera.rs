@@ -1,7 +1,7 @@
 //! A camera on the grid of a model: which steps it refines, decided with 32-bit integers only.
 //!
 //! The decision is a pure function of the camera and of a step's [`StepBox`], so it needs no history and can run for
-//! all steps at once, on a GPU as well: `refine.wgsl` of `striata-render` repeats it bit by bit.
+//! all steps at once, on a GPU as well: `crowd.wgsl` of `striata-render` repeats it bit by bit.
 //!
 //! ```text
 //! box of the step --rotate--> intervals of x, y and depth --> outside the frustum?      weight 0
@@ -11,8 +11,6 @@
 //!
 //! All intervals are rounded outward, so a weight never underestimates the error on the screen, and a box never
 //! weighs less than a box inside it.
-
-use glam::{DMat3, DMat4, DVec3};
 
 use super::fixed_log::{EXCESS, LACK, log_of, log_up};
 use super::step_box::{INFINITE_ERROR, LEAST_OCTAVE};
@@ -67,18 +65,11 @@ impl GridCamera {
     /// Returns [`None`] if the transform is anything but a rotation with a translation and a uniform scale, if the
     /// eye is farther than 2^34 model sizes away, or if the criterion has an orthographic camera or several cameras.
     pub fn new(criterion: &ScreenError, transform: &[f64; 16], grid: &BoxGrid) -> Option<Self> {
-        let matrix = DMat4::from_cols_array(transform);
-        let linear = DMat3::from_mat4(matrix);
-        let (squares, scale) = (linear.transpose() * linear, linear.x_axis.length());
-        let is_similar =
-            squares.abs_diff_eq(DMat3::from_diagonal(DVec3::splat(scale * scale)), 1e-5 * scale * scale);
-        if !(is_similar && linear.determinant() > 0.0 && matrix.is_finite()) {
-            return None;
-        }
         if criterion.camera().is_orthographic || !criterion.others.is_empty() {
             return None;
         }
-        let camera = criterion.camera().moved(&matrix.inverse());
+        let criterion = criterion.in_object(transform)?;
+        let camera = criterion.camera();
         let eye = (camera.eye - grid.center) / grid.unit;
         if !eye.is_finite() || eye.abs().max_element() >= FARTHEST {
             return None;
@@ -189,6 +180,8 @@ fn is_outside(across: GridInterval, half: i32, depth: GridInterval) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use glam::DVec3;
+
     use super::*;
     use crate::mesh::Random;
     use crate::view::{Camera, Sphere};

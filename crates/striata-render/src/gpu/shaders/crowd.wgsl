@@ -264,6 +264,29 @@ fn arrange() {
     }
 }
 
+// The steps that a thread evaluates, and the box of step 0 of their mesh.
+struct StepRange {
+    instance: u32,
+    first_box: u32,
+    first: u32,
+    end: u32,
+}
+
+// Returns the range of a thread in an item of the list of work, which is empty if there is none, and sets the camera.
+fn range_of(item: u32, thread: u32) -> StepRange {
+    if item >= work[CHUNK_COUNT] {
+        return StepRange();
+    }
+    let instance = work[HEADER + 2u * item];
+    let range = CHUNK * work[HEADER + 2u * item + 1u] + thread;
+    if range >= states[instance].range_count {
+        return StepRange();
+    }
+    camera = instances[instance].camera;
+    let mesh = meshes[instances[instance].mesh];
+    return StepRange(instance, mesh.first_step, RANGE * range, min(RANGE * (range + 1u), mesh.step_count));
+}
+
 // Adds up the triangles of all steps by the class of their weight.
 @compute @workgroup_size(ROW)
 fn classify(
@@ -271,20 +294,12 @@ fn classify(
     @builtin(num_workgroups) groups: vec3<u32>,
     @builtin(local_invocation_index) thread: u32,
 ) {
-    let item = group.x + group.y * groups.x;
-    if item >= work[CHUNK_COUNT] {
+    let own = range_of(group.x + group.y * groups.x, thread);
+    if own.first == own.end {
         return;
     }
-    let instance = work[HEADER + 2u * item];
-    let range = CHUNK * work[HEADER + 2u * item + 1u] + thread;
-    if range >= states[instance].range_count {
-        return;
-    }
-    camera = instances[instance].camera;
-    let mesh = meshes[instances[instance].mesh];
-    let end = min(RANGE * (range + 1u), mesh.step_count);
-    for (var step = RANGE * range; step < end; step++) {
-        let part = boxes[mesh.first_step + step];
+    for (var step = own.first; step < own.end; step++) {
+        let part = boxes[own.first_box + step];
         let weight = weigh(part);
         if weight > 0 {
             atomicAdd(&budget.classes[u32(weight) >> CLASS_SHIFT], part.added);
@@ -314,31 +329,23 @@ fn decide(
     @builtin(num_workgroups) groups: vec3<u32>,
     @builtin(local_invocation_index) thread: u32,
 ) {
-    let item = group.x + group.y * groups.x;
-    if item >= work[CHUNK_COUNT] {
+    let own = range_of(group.x + group.y * groups.x, thread);
+    if own.first == own.end {
         return;
     }
-    let instance = work[HEADER + 2u * item];
-    let range = CHUNK * work[HEADER + 2u * item + 1u] + thread;
-    if range >= states[instance].range_count {
-        return;
-    }
-    camera = instances[instance].camera;
-    let mesh = meshes[instances[instance].mesh];
     let threshold = budget.threshold;
-    let end = min(RANGE * (range + 1u), mesh.step_count);
     var word = 0u;
     var added = 0;
-    for (var step = RANGE * range; step < end; step++) {
-        let part = boxes[mesh.first_step + step];
+    for (var step = own.first; step < own.end; step++) {
+        let part = boxes[own.first_box + step];
         if weigh(part) > threshold {
             added += part.added;
         } else {
             word |= 1u << (step & 31u);
         }
     }
-    decided[states[instance].first_bits + range] = word;
-    atomicAdd(&states[instance].triangle_count, added);
+    decided[states[own.instance].first_bits + own.first / RANGE] = word;
+    atomicAdd(&states[own.instance].triangle_count, added);
 }
 
 // Runs in one workgroup: gives each instance its place among the triangles, and writes its draw.

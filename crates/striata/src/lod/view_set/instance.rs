@@ -1,4 +1,4 @@
-//! One instance of a set: where it is, what it shows, and how long that is good enough.
+//! One instance of a set: its place, its triangles, and how long they are good enough.
 
 use std::ops::Range;
 use std::sync::Arc;
