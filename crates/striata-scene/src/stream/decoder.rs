@@ -126,7 +126,8 @@ impl SceneStreamDecoder {
         let needed = self
             .drawable_at()
             .unwrap_or_else(|| header + document().map_or(1, |packet| packet.whole_bytes()));
-        SceneStreamError::NotDrawable { found: self.received(), needed }
+        let found = self.received();
+        SceneStreamError::NotDrawable { found, needed: needed.max(found + 1) }
     }
 
     fn malformed(&self, reason: &str) -> SceneStreamError {
