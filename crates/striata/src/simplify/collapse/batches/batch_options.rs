@@ -14,8 +14,9 @@ pub struct BatchOptions {
     /// of any kind: at non-manifold positions, and where the topology changes as far as
     /// `sequence.topology` allows. Default true; without them, a mesh of many parts has a large base.
     pub general: bool,
-    /// No general batch begins once this many triangles are left, since its steps take many bits;
-    /// default 300.
+    /// No general batch begins once this many triangles are left, since its steps take many bits; default 8. In scenes of
+    /// many parts, a first picture then takes half or a third of the bytes that it takes with 300, for about 1 % more of
+    /// all bytes.
     pub general_floor: usize,
     /// Each batch selects only from the cheapest removable positions: this share of them, above 0 and
     /// at most 1; default 0.35. Batches near the full mesh use up to twice as much, and batches after
@@ -45,7 +46,7 @@ impl Default for BatchOptions {
         Self {
             sequence: SequenceOptions::default(),
             general: true,
-            general_floor: 300,
+            general_floor: 8,
             share: 0.35,
             shape_step: None,
             max_valence: 7,
