@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | `levels` | distributes a target over all meshes of a scene by one priority |
 //! | `lod_scene` | a scene with a [`Lod`](striata::Lod) for each mesh; `single_mesh` makes one from a `Lod` |
-//! | `deformation` | simplification that respects the poses of skins and morph targets; `mesh_simplifier` applies it to every mesh |
+//! | `deformation` | simplification that respects the poses of skins and morph targets; `mesh_simplifier` applies it to every mesh, by `mesh_jobs` on several threads |
 //! | `pose` | where skins and morph targets put the vertices at a time of an animation |
 //! | [`drawn`] | what renderers need: materials, images, posed instances, lights and cameras |
 //! | [`mod@file`] | `.striata` files of scenes |
@@ -30,6 +30,7 @@ mod level_walk;
 mod levels;
 pub mod lod_chain;
 mod lod_scene;
+mod mesh_jobs;
 mod mesh_simplifier;
 pub mod ordered;
 mod place;

@@ -5,12 +5,13 @@ use std::sync::{Arc, OnceLock};
 
 use glam::{DMat4, DVec3};
 use striata::mesh::IndexedMesh;
-use striata::simplify::{SequenceOptions, Simplified, fit_within};
+use striata::simplify::{SequenceOptions, Simplified, SimplifyError, fit_within};
 use striata::{Lod, LodOptions, ProgressFn, Target, ignore_progress};
 use striata_io::Scene;
 
 use crate::error::{BuildError, SceneMismatch};
 use crate::levels::{MeshWeight, SceneLevel, SceneLevels};
+use crate::mesh_jobs::{MeshFailure, for_each_size};
 use crate::mesh_simplifier::MeshSimplifier;
 
 /// A scene without triangles and a [`Lod`] for each of its meshes.
@@ -187,42 +188,62 @@ impl LodScene {
         fitting: &Fitting<'_>,
         progress: &mut ProgressFn<'_>,
     ) -> Result<FittedMeshes, BuildError> {
-        let mut splits = level.split_counts.clone();
-        splits.resize(self.lods().len(), usize::MAX);
-        let mut meshes = Vec::with_capacity(splits.len());
+        let fit =
+            |index: usize, progress: &mut ProgressFn<'_>| self.fitted_mesh(index, level, fitting, progress);
+        let sizes: Vec<_> =
+            self.lods().iter().map(|lod| Some(lod.as_ref()?.mesh().triangle_count())).collect();
+        let made = for_each_size(&sizes, fit, progress).map_err(|MeshFailure { mesh, error }| {
+            BuildError::new(mesh, self.scene().mesh_name(mesh).to_owned(), error)
+        })?;
         let (mut error, mut fitted_count) = (0.0f64, 0);
-        for (index, lod) in self.lods().iter().enumerate() {
-            let Some(lod) = lod else {
+        let (mut meshes, mut splits) = (Vec::with_capacity(made.len()), Vec::with_capacity(made.len()));
+        for (index, fitted) in made.into_iter().enumerate() {
+            let Some(FittedMesh { made, split_count, is_fitted }) = fitted.flatten() else {
                 meshes.push(None);
+                splits.push(level.split_counts.get(index).copied().unwrap_or(usize::MAX));
                 continue;
             };
             let weight = self.levels().weight(index).unwrap_or_default();
-            let levels = lod.sequence().levels();
-            let coarsest = splits[index].min(lod.step_count());
-            let mut level_within = |limit: f64| {
-                splits[index] = coarsest.max(levels.split_count_for_error(limit));
-                let mesh = lod.level_mesh(Target::SplitCount(splits[index]));
-                let error = f64::from(levels.error_at(splits[index]));
-                Simplified { mesh, error, stop_reason: level.stop_reason }
-            };
-            let original = lod.mesh();
-            let is_rigged = original.layers.iter().any(|layer| layer.semantic.is_of_poses());
-            let made = if is_rigged || !(fitting.selects)(original) {
-                level_within(f64::INFINITY)
-            } else {
-                fitted_count += 1;
-                let max_error = fitting.max_error / weight.scale;
-                let fitted = fit_within(original, level_within, fitting.options, max_error, progress);
-                let name = || self.scene().mesh_name(index).to_owned();
-                fitted.map_err(|error| BuildError::new(index, name(), error))?
-            };
             if weight.instance_count > 0 {
                 error = error.max(made.error * weight.scale);
             }
+            fitted_count += usize::from(is_fitted);
             meshes.push(Some(made.mesh));
+            splits.push(split_count);
         }
         let level = SceneLevel { error, ..self.levels().with_splits(level, splits) };
         Ok(FittedMeshes { meshes, level, fitted_count })
+    }
+
+    /// Returns one mesh of a level, fitted if it is to be; [`None`] for meshes without triangles.
+    fn fitted_mesh(
+        &self,
+        index: usize,
+        level: &SceneLevel,
+        fitting: &Fitting<'_>,
+        progress: &mut ProgressFn<'_>,
+    ) -> Result<Option<FittedMesh>, SimplifyError> {
+        let Some(lod) = &self.lods()[index] else { return Ok(None) };
+        let weight = self.levels().weight(index).unwrap_or_default();
+        let levels = lod.sequence().levels();
+        let coarsest = level.split_counts.get(index).copied().unwrap_or(usize::MAX).min(lod.step_count());
+        let mut split_count = coarsest;
+        let mut level_within = |limit: f64| {
+            split_count = coarsest.max(levels.split_count_for_error(limit));
+            let mesh = lod.level_mesh(Target::SplitCount(split_count));
+            let error = f64::from(levels.error_at(split_count));
+            Simplified { mesh, error, stop_reason: level.stop_reason }
+        };
+        let original = lod.mesh();
+        let is_rigged = original.layers.iter().any(|layer| layer.semantic.is_of_poses());
+        let is_fitted = !is_rigged && (fitting.selects)(original);
+        let made = if is_fitted {
+            let max_error = fitting.max_error / weight.scale;
+            fit_within(original, level_within, fitting.options, max_error, progress)?
+        } else {
+            level_within(f64::INFINITY)
+        };
+        Ok(Some(FittedMesh { made, split_count, is_fitted }))
     }
 
     /// Returns the triangles of a level as index lists over the vertices of [`full_scene`](Self::full_scene): for
@@ -258,11 +279,18 @@ impl LodScene {
 /// Which meshes of a level are fitted, and how: see [`LodScene::fitted_meshes`].
 pub struct Fitting<'a> {
     /// Whether the vertices of a mesh may move.
-    pub selects: &'a dyn Fn(&IndexedMesh) -> bool,
+    pub selects: &'a (dyn Fn(&IndexedMesh) -> bool + Sync),
     /// Options that say which vertices must not move.
     pub options: &'a SequenceOptions,
     /// Largest measured error of a fitted mesh, in units of the scene; meshes are made finer for it.
     pub max_error: f64,
+}
+
+/// One mesh of a level.
+struct FittedMesh {
+    made: Simplified,
+    split_count: usize,
+    is_fitted: bool,
 }
 
 /// Meshes of a level whose vertices were moved: see [`LodScene::fitted_meshes`].

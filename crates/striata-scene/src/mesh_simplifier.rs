@@ -1,8 +1,8 @@
 //! Simplification of the meshes of a scene: the one path of levels, files and streams.
 
-use std::cell::OnceCell;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 use std::ops::ControlFlow;
+use std::sync::OnceLock;
 
 use serde_json::Value;
 use striata::clusters::{ClusterDag, ClusterOptions};
@@ -11,12 +11,13 @@ use striata::simplify::{
     BaseColor, BatchOptions, BuiltBatches, SequenceOptions, SimplifyError, build_batches_with_progress,
     build_sequence_with_progress, certify_collapses_in_any_state_with_progress,
 };
-use striata::{Cancelled, Lod, LodOptions, Progress, ProgressFn};
+use striata::{Lod, LodOptions, Progress, ProgressFn};
 use striata_io::Scene;
 
 use crate::deformation::{Deformation, ScenePoses, with_errors};
 use crate::error::BuildError;
 use crate::levels::MeshWeight;
+use crate::mesh_jobs::{MeshFailure, for_each_distinct};
 
 /// Simplifies meshes with options in units of the scene, for the poses of the scene.
 #[derive(Debug)]
@@ -26,13 +27,13 @@ pub(crate) struct MeshSimplifier<'s> {
     /// Absent if skins or animations cannot be read.
     poses: Option<ScenePoses>,
     /// Base colors of the document's materials, decoded when the first mesh needs them.
-    base_colors: OnceCell<Vec<Option<BaseColor>>>,
+    base_colors: OnceLock<Vec<Option<BaseColor>>>,
 }
 
 impl<'s> MeshSimplifier<'s> {
     pub(crate) fn new(scene: &'s Scene) -> Self {
         let (weights, poses) = (MeshWeight::of_scene(scene), ScenePoses::new(scene).ok());
-        Self { scene, weights, poses, base_colors: OnceCell::new() }
+        Self { scene, weights, poses, base_colors: OnceLock::new() }
     }
 
     /// Whether two meshes of the scene have the same levels.
@@ -53,32 +54,16 @@ impl<'s> MeshSimplifier<'s> {
     ///
     /// # Errors
     /// [`BuildError`] with the first mesh for which the function fails.
-    pub(crate) fn for_each_mesh<T: Clone>(
+    pub(crate) fn for_each_mesh<T: Clone + Send>(
         &self,
         options: &SequenceOptions,
-        mut build: impl FnMut(usize, &IndexedMesh, &mut ProgressFn<'_>) -> Result<T, SimplifyError>,
+        build: impl Fn(usize, &IndexedMesh, &mut ProgressFn<'_>) -> Result<T, SimplifyError> + Sync,
         progress: &mut ProgressFn<'_>,
     ) -> Result<Vec<Option<T>>, BuildError> {
-        let meshes = self.scene.meshes();
-        let mut progress = MeshProgress::new(meshes, progress);
-        let mut built: Vec<Option<T>> = Vec::with_capacity(meshes.len());
-        let mut first_of: HashMap<[u64; 2], usize> = HashMap::new();
-        for (index, mesh) in meshes.iter().enumerate() {
-            let Some(mesh) = mesh else {
-                built.push(None);
-                continue;
-            };
-            let first = *first_of.entry(mesh.fingerprints()).or_insert(index);
-            let result = if first < index && self.is_simplified_alike([first, index], options) {
-                Ok(built[first].clone())
-            } else {
-                build(index, mesh, &mut |now| progress.report(now)).map(Some)
-            };
-            let result = result.and_then(|made| progress.finish_mesh(mesh).map(|()| made));
-            let name = || self.scene.mesh_name(index).to_owned();
-            built.push(result.map_err(|error| BuildError::new(index, name(), error))?);
-        }
-        Ok(built)
+        let is_alike = |meshes| self.is_simplified_alike(meshes, options);
+        for_each_distinct(self.scene.meshes(), is_alike, build, progress).map_err(
+            |MeshFailure { mesh, error }| BuildError::new(mesh, self.scene.mesh_name(mesh).to_owned(), error),
+        )
     }
 
     /// Builds the clusters of a mesh of the scene, which has this index.
@@ -263,38 +248,4 @@ fn with_errors_of_batches(refinable: RefinableMesh, batches: &[u32]) -> Refinabl
         }
     }
     with_errors(refinable, errors)
-}
-
-/// Progress over all meshes, in triangles.
-struct MeshProgress<'p, 'f> {
-    progress: &'p mut ProgressFn<'f>,
-    finished: usize,
-    triangle_count: usize,
-    /// Triangles of the mesh that is being built.
-    current: Vec<usize>,
-}
-
-impl<'p, 'f> MeshProgress<'p, 'f> {
-    fn new(meshes: &[Option<IndexedMesh>], progress: &'p mut ProgressFn<'f>) -> Self {
-        let mut current: Vec<usize> = meshes.iter().flatten().map(IndexedMesh::triangle_count).collect();
-        current.reverse();
-        Self { progress, finished: 0, triangle_count: current.iter().sum(), current }
-    }
-
-    fn report(&mut self, now: Progress) -> ControlFlow<()> {
-        let current = self.current.last().copied().unwrap_or(0) as u64;
-        let share = if now.total == 0 { 0.0 } else { now.done as f64 / now.total as f64 };
-        let done = self.finished as u64 + (share.min(1.0) * current as f64) as u64;
-        (self.progress)(Progress { phase: now.phase, done, total: self.triangle_count as u64 })
-    }
-
-    /// Reports after each mesh, because small meshes report nothing themselves.
-    fn finish_mesh(&mut self, mesh: &IndexedMesh) -> Result<(), SimplifyError> {
-        self.finished += mesh.triangle_count();
-        self.current.pop();
-        match self.report(Progress { phase: "simplify", done: 0, total: 1 }) {
-            ControlFlow::Continue(()) => Ok(()),
-            ControlFlow::Break(()) => Err(Cancelled.into()),
-        }
-    }
 }

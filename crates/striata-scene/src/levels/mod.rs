@@ -27,6 +27,8 @@ pub(crate) use curve::step_errors;
 use mesh_levels::{LevelCounts, MeshLevels, first_meshes, merged_order};
 pub use weight::MeshWeight;
 
+use crate::mesh_jobs;
+
 /// Fewest steps of a block; a block has at least as many steps as there are meshes, so that the states at
 /// the starts of blocks need no more memory than the steps.
 const MIN_BLOCK_STEPS: usize = 1024;
@@ -101,7 +103,7 @@ impl SceneLevels {
     fn merged(
         meshes: &[Option<&LevelTable>],
         weights: &[MeshWeight],
-        prices_of: impl Fn(usize, f64) -> Vec<f64>,
+        prices_of: impl Fn(usize, f64) -> Vec<f64> + Sync,
     ) -> Self {
         let weight_of = |mesh: usize| {
             let weight = weights.get(mesh).copied().unwrap_or_default();
@@ -116,13 +118,10 @@ impl SceneLevels {
         let meshes: Vec<Option<MeshLevels>> =
             meshes.iter().enumerate().map(|(mesh, levels)| Some(with_weight((mesh, (*levels)?)))).collect();
         let first_of = first_meshes(&meshes);
-        let mut prices: Vec<Vec<f64>> = Vec::with_capacity(meshes.len());
-        for (number, mesh) in meshes.iter().enumerate() {
-            prices.push(match mesh {
-                Some(mesh) if first_of[number] == number => prices_of(number, mesh.weight.scale),
-                _ => Vec::new(),
-            });
-        }
+        let prices: Vec<Vec<f64>> = mesh_jobs::map(meshes.len(), |number| match &meshes[number] {
+            Some(mesh) if first_of[number] == number => prices_of(number, mesh.weight.scale),
+            _ => Vec::new(),
+        });
         let order = merged_order(&meshes, |mesh, number, split_count| {
             let prices = &prices[first_of[number]];
             let step = mesh.levels.step_count() - 1 - split_count;

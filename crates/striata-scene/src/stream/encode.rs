@@ -22,6 +22,7 @@ use super::packet::{HEADER_BYTES, PacketKind, begin, end, put_packet};
 use super::precision::{MeshPrecision, longest_side, mesh_precisions, scene_tolerance};
 use crate::copies::Copies;
 use crate::levels::{MeshWeight, step_errors};
+use crate::mesh_jobs::{MeshFailure, for_each_distinct};
 use crate::mesh_simplifier::{MeshSimplifier, stage};
 
 /// A scene as a stream.
@@ -138,54 +139,41 @@ fn encode_meshes(
     options: &SceneStreamOptions,
     progress: &mut ProgressFn<'_>,
 ) -> Result<Vec<Option<MeshStream>>, SceneEncodeError> {
-    let total: usize = scene.meshes().iter().flatten().map(IndexedMesh::triangle_count).sum();
-    let (mut done, mut streams) = (0u64, Vec::<Option<MeshStream>>::new());
-    let mut first_of: HashMap<[u64; 2], (usize, StreamOptions)> = HashMap::new();
     let simplifier = MeshSimplifier::new(scene);
     let precisions = mesh_precisions(scene, &options.stream);
     let (weights, diagonal) = (MeshWeight::of_scene(scene), scene.diagonal());
-    for (index, (mesh, precision)) in scene.meshes().iter().zip(precisions).enumerate() {
-        let Some((mesh, MeshPrecision { options: own, scale })) = mesh.as_ref().zip(precision) else {
-            streams.push(None);
-            continue;
-        };
-        let mut within = |part: Progress| {
-            let own = mesh.triangle_count() as u64;
-            let share = part.done.min(part.total).saturating_mul(own) / part.total.max(1);
-            progress(Progress { phase: part.phase, done: done + share, total: total as u64 })
-        };
-        // Equal meshes, such as one ball in many colors, are encoded once.
-        let (first, options_of_first) =
-            first_of.entry(mesh.fingerprints()).or_insert_with(|| (index, own.clone()));
-        let is_copy = *first < index
-            && *options_of_first == own
-            && simplifier.is_simplified_alike([*first, index], &options.batches.sequence);
-        let encoded: Option<&MeshStream> = if is_copy { streams[*first].as_ref() } else { None };
-        let weight = weights[index];
+    let own_options = |index: usize| precisions[index].as_ref().map(|precision| &precision.options);
+    let is_alike = |[first, index]: [usize; 2]| {
+        own_options(first) == own_options(index)
+            && simplifier.is_simplified_alike([first, index], &options.batches.sequence)
+    };
+    let encode = |index: usize, mesh: &IndexedMesh, progress: &mut ProgressFn<'_>| {
+        let Some(MeshPrecision { options: own, scale }) = &precisions[index] else { return Ok(None) };
+        let diagonal = if *scale > 0.0 { diagonal / scale } else { 0.0 };
+        let settings = StreamSettings { options: own, batches: &options.batches };
+        encode_mesh(&simplifier, NumberedMesh { index, mesh, diagonal }, settings, progress).map(Some)
+    };
+    let encoded = for_each_distinct(scene.meshes(), is_alike, encode, progress);
+    let streams = encoded.map_err(|MeshFailure { mesh, error }| MeshFault::in_mesh(error, mesh))?;
+    let weighted = |(index, stream): (usize, Option<Option<MeshStream>>)| {
+        let (stream, weight) = (stream.flatten()?, weights[index]);
+        let scale = precisions[index].as_ref().map_or(0.0, |precision| precision.scale);
         let weight = weight.instance_count as f64 * weight.importance.powi(2) * scale.powi(4);
-        let stream = match encoded {
-            Some(stream) => stream.clone(),
-            None => encode_mesh(
-                &simplifier,
-                NumberedMesh { index, mesh, diagonal: if scale > 0.0 { diagonal / scale } else { 0.0 } },
-                StreamSettings { options: &own, batches: &options.batches },
-                &mut within,
-            )
-            .map_err(|error| error.in_mesh(index))?,
-        };
-        streams.push(Some(MeshStream { scale, weight, ..stream }));
-        done += mesh.triangle_count() as u64;
-        if progress(Progress { phase: "encode", done, total: total as u64 }).is_break() {
-            return Err(SceneEncodeError::Cancelled);
-        }
-    }
-    Ok(streams)
+        Some(MeshStream { scale, weight, ..stream })
+    };
+    Ok(streams.into_iter().enumerate().map(weighted).collect())
 }
 
 /// Error of encoding a mesh: from simplifying it, or from its stream.
 enum MeshFault {
     Simplify(SimplifyError),
     Stream(StreamError),
+}
+
+impl From<Cancelled> for MeshFault {
+    fn from(cancelled: Cancelled) -> Self {
+        Self::Simplify(cancelled.into())
+    }
 }
 
 impl MeshFault {

@@ -23,6 +23,8 @@ pub(in crate::simplify) enum CollapseKind {
 pub(in crate::simplify) struct CollapseChoice {
     pub kind: CollapseKind,
     pub cost: f32,
+    /// Share of the cost that attributes have, if it has been evaluated alone.
+    pub attributes: f32,
     pub target: u32,
     /// Squared distance of the vertex from its new fan, scaled units.
     pub distance_squared: f32,

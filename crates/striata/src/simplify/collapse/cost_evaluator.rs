@@ -303,10 +303,11 @@ impl<'a> CostEvaluator<'a> {
             let candidate = self.candidates[k];
             if candidate.stage == EvaluationStage::Complete {
                 let target = self.star.ring.ids[k];
-                let CandidateTarget { distance_squared, protrusion_squared, .. } = candidate;
+                let CandidateTarget { distance_squared, protrusion_squared, attributes, .. } = candidate;
                 break Some(CollapseChoice {
                     kind: CollapseKind::Strict,
                     cost,
+                    attributes,
                     target,
                     distance_squared,
                     protrusion_squared,
@@ -389,7 +390,9 @@ impl<'a> CostEvaluator<'a> {
         cost += attributes;
         if self.attributes.as_ref().is_some_and(AttributeSpace::has_colors) {
             self.pair(v, k);
-            cost += self.color_cost(v, k);
+            let colors = self.color_cost(v, k);
+            self.candidates[k].attributes += colors;
+            cost += colors;
         }
         Some(cost)
     }
@@ -435,6 +438,7 @@ impl<'a> CostEvaluator<'a> {
                 best = Some(CollapseChoice {
                     kind: CollapseKind::Strict,
                     cost,
+                    attributes: 0.0,
                     target,
                     distance_squared,
                     protrusion_squared: 0.0,

@@ -66,6 +66,7 @@ impl CostEvaluator<'_> {
         let (_, h, to) = best?;
         let moved = self.at(h).distance_squared(self.at(to));
         let choice = CollapseChoice {
+            attributes: 0.0,
             kind: CollapseKind::Fold,
             cost: 0.0,
             target: to,

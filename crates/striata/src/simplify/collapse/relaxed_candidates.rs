@@ -190,16 +190,20 @@ impl CostEvaluator<'_> {
         if start >= limit {
             return None;
         }
-        let start = start + self.attribute_cost(v, k);
+        let mut attributes = self.attribute_cost(v, k);
+        let start = start + attributes;
         let least = if kind == CollapseKind::Link { LINK_FACTOR } else { 1.0 };
         if start + least * distance_cost(&self.star, distance_squared) >= limit {
             return None;
         }
-        let start = start + self.color_cost(v, k);
+        let colors = self.color_cost(v, k);
+        attributes += colors;
+        let start = start + colors;
         let protrusion_squared = self.star.protrusion_squared(k);
         let cost = start + least * distance_cost(&self.star, distance_squared + protrusion_squared);
         Some(CollapseChoice {
             cost,
+            attributes,
             target: self.star.ring.ids[k],
             distance_squared,
             protrusion_squared,
@@ -231,6 +235,7 @@ impl CostEvaluator<'_> {
         let cost = self.rules.surface_share * vanishing_cost(self.star.area(), sum / area_sum);
         Some(CollapseChoice {
             cost,
+            attributes: 0.0,
             target: u,
             distance_squared: least,
             protrusion_squared: 0.0,
@@ -289,6 +294,7 @@ impl CostEvaluator<'_> {
         let target = self.star.ring.ids[k];
         Some(CollapseChoice {
             cost,
+            attributes: 0.0,
             target,
             distance_squared,
             protrusion_squared: 0.0,
