@@ -71,7 +71,7 @@ pub(in crate::simplify) struct Simplifier<'a> {
     heap: IndexedHeap,
     /// The choice of each position; `None` if its key in the heap is a provisional cost.
     choices: Vec<Option<StoredChoice>>,
-    /// What attributes cost in the last choice of each position; empty if there are none.
+    /// Cost of attributes in the last choice of each position; empty if there are none.
     attribute_costs: Vec<f32>,
     schedule: RelaxationSchedule<'a>,
     executor: CollapseExecutor,
@@ -275,8 +275,9 @@ impl<'a> Simplifier<'a> {
             None => self.heap.remove(v),
             Some(choice) => {
                 if let Some(attributes) = self.attribute_costs.get_mut(v as usize) {
-                    // Strange values may cost anything, or no number.
-                    *attributes = choice.attributes.max(0.0).min(MAX_ATTRIBUTE_COST);
+                    // Not `clamp`: strange values may cost what is no number.
+                    let cost = choice.attributes.max(0.0);
+                    *attributes = cost.min(MAX_ATTRIBUTE_COST);
                 }
                 self.choices[v as usize] = Some(StoredChoice {
                     target: choice.target,
