@@ -1,6 +1,7 @@
 //! Building levels from the arrays of a caller.
 
 use std::ffi::c_void;
+use std::fmt::Display;
 use std::mem::MaybeUninit;
 use std::ops::ControlFlow;
 use std::ptr::null;
@@ -33,6 +34,9 @@ pub const STRIATA_TOPOLOGY_KEEP: i32 = 2;
 
 /// Most vertices of a mesh: indices have 32 bits.
 const MAX_VERTICES: usize = u32::MAX as usize;
+
+/// Most threads of a call.
+const MAX_THREADS: u32 = 1024;
 
 /// An attribute of the vertices in memory of the caller.
 #[repr(C)]
@@ -178,20 +182,24 @@ pub unsafe extern "C" fn striata_lod_build(
         let options = options.copied().unwrap_or_default();
         let lod_options = options_of(&options)?;
         let progress = CallerProgress { function: options.progress, user: options.user };
-        let build = move || {
-            Lod::build_with_progress(&mesh, &lod_options, &mut |now| progress.report(now))
-        };
-        let built = match options.thread_count {
-            0 => build(),
-            count => ThreadPoolBuilder::new()
-                .num_threads(count as usize)
-                .build()
-                .map_err(|error| CallFailure::argument("options.thread_count", error))?
-                .install(build),
-        };
+        let build = move || Lod::build_with_progress(&mesh, &lod_options, &mut |now| progress.report(now));
+        let built = on_threads(options.thread_count, build)?;
         *to = Some(Box::new(StriataLod { levels: built.map_err(build_failure)? }));
         Ok(())
     })
+}
+
+/// Runs work on threads of its own, or, for 0, on those of the process.
+fn on_threads<T: Send>(thread_count: u32, work: impl FnOnce() -> T + Send) -> CallResult<T> {
+    if thread_count == 0 {
+        return Ok(work());
+    }
+    let refused = |problem: &dyn Display| CallFailure::argument("options.thread_count", problem);
+    if thread_count > MAX_THREADS {
+        return Err(refused(&format_args!("{thread_count} is more than {MAX_THREADS}")));
+    }
+    let pool = ThreadPoolBuilder::new().num_threads(thread_count as usize).build();
+    Ok(pool.map_err(|error| refused(&error))?.install(work))
 }
 
 fn build_failure(error: SimplifyError) -> CallFailure {
@@ -247,7 +255,8 @@ unsafe fn mesh_of(arrays: &StriataMeshArrays) -> CallResult<IndexedMesh> {
 /// # Safety
 /// The arrays have the lengths that the struct states.
 unsafe fn read_positions(arrays: &StriataMeshArrays, mesh: &mut IndexedMesh) -> CallResult<()> {
-    let StriataMeshArrays { positions, positions_f64, position_stride: stride, vertex_count: count, .. } = *arrays;
+    let StriataMeshArrays { positions, positions_f64, position_stride: stride, vertex_count: count, .. } =
+        *arrays;
     if !positions.is_null() && !positions_f64.is_null() {
         return Err(CallFailure::argument("arrays", "both positions and positions_f64 are set"));
     }
@@ -295,12 +304,12 @@ unsafe fn layer_of(attribute: &StriataAttribute, count: usize, name: &str) -> Ca
     }
     let width = usize::from(components);
     let rows = StridedRows { data: data.cast(), stride, count, width };
-    // SAFETY: the promise of the caller.
     let data = match number_type {
+        // SAFETY: the promise of the caller.
         STRIATA_F32 => LayerData::F32(unsafe { rows.read(name) }?),
-        // SAFETY: as above.
+        // SAFETY: the promise of the caller.
         STRIATA_U8 => LayerData::U8(unsafe { rows.read(name) }?),
-        // SAFETY: as above.
+        // SAFETY: the promise of the caller.
         STRIATA_U16 => LayerData::U16(unsafe { rows.read(name) }?),
         _ => {
             return Err(CallFailure::argument(name, format_args!("{number_type} is no type of numbers")));
@@ -339,7 +348,10 @@ fn options_of(options: &StriataBuildOptions) -> CallResult<LodOptions> {
         STRIATA_TOPOLOGY_KEEP_PARTS => TopologyRule::KeepParts,
         STRIATA_TOPOLOGY_KEEP => TopologyRule::Keep,
         other => {
-            return Err(CallFailure::argument("options.topology", format_args!("{other} is no topology rule")));
+            return Err(CallFailure::argument(
+                "options.topology",
+                format_args!("{other} is no topology rule"),
+            ));
         }
     };
     let mut sequence = SequenceOptions::default()

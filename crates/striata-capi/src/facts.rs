@@ -5,9 +5,9 @@ use std::mem::MaybeUninit;
 use striata::Target;
 use striata::mesh::Semantic;
 
+use crate::StriataLod;
 use crate::raw::CallerBuffer;
 use crate::status::{CallFailure, STRIATA_UNAVAILABLE, count_of, given, status_of};
-use crate::StriataLod;
 
 /// Unit normals, 3 components.
 pub const STRIATA_NORMAL: i32 = 1;

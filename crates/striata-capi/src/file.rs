@@ -9,9 +9,7 @@ use striata::file::DecodeError;
 
 use crate::StriataLod;
 use crate::raw::slice;
-use crate::status::{
-    CallFailure, CallResult, STRIATA_BAD_BYTES, STRIATA_IO, STRIATA_NULL, given, status_of,
-};
+use crate::status::{CallFailure, CallResult, STRIATA_BAD_BYTES, STRIATA_IO, STRIATA_NULL, given, status_of};
 
 /// Reads a `.striata` file, also one that contains a stream, and writes a handle to `to`. The path is UTF-8.
 ///

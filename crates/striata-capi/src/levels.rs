@@ -99,7 +99,8 @@ impl StriataLevel {
         if own == [self.step_count, self.vertex_count, self.triangle_count].map(|count| count as usize) {
             return Ok(Target::SplitCount(steps));
         }
-        let problem = format_args!("{steps} steps with {} triangles are no level of lod", self.triangle_count);
+        let problem =
+            format_args!("{steps} steps with {} triangles are no level of lod", self.triangle_count);
         Err(CallFailure::argument("level", problem))
     }
 }
@@ -270,7 +271,10 @@ pub unsafe extern "C" fn striata_lod_ranges(
             level.target(lod)?;
             let steps = level.step_count as usize;
             if splits.last().is_some_and(|&last| last < steps) {
-                return Err(CallFailure::argument("request.levels", "a level is finer than the one before it"));
+                return Err(CallFailure::argument(
+                    "request.levels",
+                    "a level is finer than the one before it",
+                ));
             }
             splits.push(steps);
         }
@@ -296,7 +300,8 @@ fn group_of(lod: &Lod, group: i32) -> CallResult<Option<usize>> {
         return Ok(None);
     }
     let count = lod.mesh().groups.len().max(1);
-    let problem = || CallFailure::argument("request.group", format_args!("there is no group {group} of {count}"));
+    let problem =
+        || CallFailure::argument("request.group", format_args!("there is no group {group} of {count}"));
     usize::try_from(group).ok().filter(|&group| group < count).map(Some).ok_or_else(problem)
 }
 

@@ -174,10 +174,8 @@ fn changes(old: &[u32], new: &[u32]) -> Vec<StriataSpan> {
             _ => spans.push(at..at + 1),
         }
     }
-    let span = |span: &Range<usize>| StriataSpan {
-        first_index: span.start as u32,
-        index_count: span.len() as u32,
-    };
+    let span =
+        |span: &Range<usize>| StriataSpan { first_index: span.start as u32, index_count: span.len() as u32 };
     spans.iter().map(span).collect()
 }
 
@@ -200,7 +198,9 @@ mod tests {
         let old: Vec<u32> = (0..3000).collect();
         let mut new = old.clone();
         assert_eq!(changes(&old, &new), []);
-        [5, 7, 2000].map(|at| new[at] = 0);
+        for at in [5, 7, 2000] {
+            new[at] = 0;
+        }
         let span = |first_index, index_count| StriataSpan { first_index, index_count };
         assert_eq!(changes(&old, &new), [span(5, 3), span(2000, 1)]);
         new.extend([1, 2]);

@@ -203,7 +203,10 @@ fn sizes_of_levels_are_known_without_their_triangles() {
         for target in [Target::Triangles(50), Target::Vertices(40), Target::Detail(0.3), Target::Error(0.1)] {
             let (sizes, level) = (lod.resolve(target), lod.level(target));
             assert_eq!(sizes.split_count, level.split_count());
-            assert_eq!((sizes.vertex_count, sizes.triangle_count), (level.vertex_count(), level.triangle_count()));
+            assert_eq!(
+                (sizes.vertex_count, sizes.triangle_count),
+                (level.vertex_count(), level.triangle_count())
+            );
             assert_eq!((sizes.error, sizes.stop_reason), (level.error(), level.stop_reason()));
         }
     }
@@ -239,8 +242,8 @@ fn ranges_are_the_levels_of_each_group() {
                     None => 0..level.indices().len(),
                 };
                 let found = &made.indices[range.first_index..][..range.index_count];
-                let [found, expected] =
-                    [found, &level.indices()[expected]].map(|indices| canonical_triangles(indices.as_chunks().0));
+                let [found, expected] = [found, &level.indices()[expected]]
+                    .map(|indices| canonical_triangles(indices.as_chunks().0));
                 assert_eq!(found, expected);
                 assert_eq!((range.vertex_count, range.error), (level.vertex_count(), level.error()));
             }
