@@ -483,8 +483,8 @@ fn files_round_trip_and_broken_ones_are_refused() {
     let sources = unsafe { striata_lod_source_vertices(Some(&opened), null_mut(), 0) };
     assert_eq!(sources, i64::from(STRIATA_UNAVAILABLE));
 
-    // SAFETY: the slices are as long as stated.
     let open = |bytes: &[u8]| {
+        // SAFETY: the slice is as long as stated.
         made(|to| unsafe { striata_lod_open_bytes(bytes.as_ptr(), bytes.len(), Some(to)) }).map(drop)
     };
     let bytes = std::fs::read(&path).expect("the file");

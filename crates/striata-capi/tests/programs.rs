@@ -43,8 +43,13 @@ fn compiled(source: &str, name: &str, arguments: &[&str]) -> Option<PathBuf> {
 const STATIC: [&str; 4] = ["LIBRARIES/libstriata_capi.a", "-lpthread", "-ldl", "-lm"];
 const SHARED: [&str; 3] = ["-LLIBRARIES", "-lstriata_capi", "-Wl,-rpath,LIBRARIES"];
 
+/// Runs a program, under a tool such as `STRIATA_RUNNER="valgrind -q --error-exitcode=9"` if that is set.
 fn output_of(program: &Path, arguments: &[&Path]) -> String {
-    let output = Command::new(program).args(arguments).output().expect("the program runs");
+    let runner = std::env::var("STRIATA_RUNNER").unwrap_or_default();
+    let mut words =
+        runner.split_whitespace().map(Path::new).chain([program]).chain(arguments.iter().copied());
+    let mut command = Command::new(words.next().expect("a program"));
+    let output = command.args(words).output().expect("the program runs");
     assert!(output.status.success(), "{:?}: {}", output.status, String::from_utf8_lossy(&output.stderr));
     String::from_utf8(output.stdout).expect("text")
 }
