@@ -74,8 +74,3 @@ pub extern "C" fn striata_version() -> *const c_char {
 pub extern "C" fn striata_abi() -> u32 {
     STRIATA_ABI
 }
-
-/// Compiles the README's example with the documentation tests.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;

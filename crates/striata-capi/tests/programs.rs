@@ -200,3 +200,19 @@ fn the_example_prints_levels() {
     assert_eq!(text.lines().count(), lod.sequence().halving_split_counts().len() + 1, "{text}");
     assert!(text.starts_with("     1280 triangles over the first       642 vertices, error 0\n"), "{text}");
 }
+
+#[test]
+fn the_program_of_the_guide_runs() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let guide = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/guide/c.md");
+    let guide = fs::read_to_string(guide).expect("the guide is in the repository");
+    let blocks = guide.split("```").skip(1).step_by(2).filter_map(|block| block.strip_prefix("c\n"));
+    let source = folder.path().join("guide.c");
+    fs::write(&source, blocks.collect::<Vec<_>>().concat()).expect("a file");
+    let Some(program) = compiled(&source.to_string_lossy(), "guide_c", &STATIC) else {
+        eprintln!("skipped: there is no C compiler");
+        return;
+    };
+    let text = output_of(&program, &[]);
+    assert!(text.starts_with("draw 63 triangles over the first "), "{text}");
+}
