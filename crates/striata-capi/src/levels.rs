@@ -128,7 +128,7 @@ fn target_of(lod: &Lod, kind: i32, value: f64) -> CallResult<Target> {
 }
 
 /// Finds the most detailed level that does not exceed a target, or the coarsest one within an error. Takes less than a
-/// microsecond for most targets, so that a frame can choose a level and list its triangles only if it is another one.
+/// microsecond, so that a frame can choose a level and list its triangles only if it is another one.
 #[unsafe(no_mangle)]
 pub extern "C" fn striata_lod_resolve(
     lod: Option<&StriataLod>,
@@ -143,7 +143,7 @@ pub extern "C" fn striata_lod_resolve(
     })
 }
 
-/// Finds the coarsest level whose error covers at most so many pixels of the screen of a camera, anywhere on the mesh. If
+/// Finds the coarsest level whose error covers at most a number of pixels of the screen of a camera, anywhere on the mesh. If
 /// the camera is within the bounding sphere, that is full detail: use a view there.
 #[unsafe(no_mangle)]
 pub extern "C" fn striata_lod_resolve_for_camera(
