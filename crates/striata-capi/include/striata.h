@@ -312,7 +312,7 @@ typedef struct {
   int32_t is_complete;
 } StriataViewUpdate;
 
-// A part of the indices that has changed.
+// A part of the placed indices of a view.
 typedef struct {
   // First index of the part.
   uint32_t first_index;
@@ -483,13 +483,25 @@ int64_t striata_view_groups(const StriataView *view,
                             StriataRange *to,
                             size_t capacity);
 
-// Writes the parts of the indices that have changed since the last call that wrote them, and returns the number of parts:
-// all indices at first, none if the view is as it was. Upload the parts from the result of `striata_view_emit`. An index
-// beyond the end of a list that has become shorter is no change. A triangle that appears moves all those after it, so that
-// a camera that moves changes most of the list: 85 % of the indices in each frame of an approach, 9 steps a frame.
+// Updates the placed indices of a group to what the view shows, and writes the parts that have changed since they were
+// last written. Returns the number of parts: none if nothing has changed.
+//
+// `striata_view_emit` lists triangles one after another, so that one more moves all those after it. In the placed indices,
+// a triangle stays where it is, and new ones take the places of those that have gone. Free places have three equal
+// indices, which draw nothing; there are never more than a quarter of them. Groups are counted from 0; a mesh without
+// groups has one.
 int64_t striata_view_changes(StriataView *view,
+                             uint32_t group,
                              StriataSpan *to,
                              size_t capacity);
+
+// Writes a part of the placed indices of a group, which `striata_view_changes` has updated, or all of them if `span` is
+// null. Returns the number of indices; that of all is the number to draw.
+int64_t striata_view_placed(StriataView *view,
+                            uint32_t group,
+                            const StriataSpan *span,
+                            uint32_t *to,
+                            size_t capacity);
 
 // Frees a view. Null is allowed.
 void striata_view_free(StriataView *view);

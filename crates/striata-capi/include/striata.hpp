@@ -153,8 +153,13 @@ public:
   std::vector<StriataRange> groups() const {
     return filled<StriataRange>([&](auto to, auto n) { return striata_view_groups(get(), to, n); });
   }
-  std::vector<StriataSpan> changes() {
-    return filled<StriataSpan>([&](auto to, auto n) { return striata_view_changes(get(), to, n); });
+  /// Updates the placed indices of a group, and returns the parts that have changed.
+  std::vector<StriataSpan> changes(uint32_t group = 0) {
+    return filled<StriataSpan>([&](auto to, auto n) { return striata_view_changes(get(), group, to, n); });
+  }
+  /// The placed indices of a group.
+  void placed(std::vector<uint32_t> &indices, uint32_t group = 0) const {
+    fill(indices, [&](auto to, auto n) { return striata_view_placed(get(), group, nullptr, to, n); });
   }
   StriataView *get() const { return view_.get(); }
 

@@ -451,18 +451,34 @@ fn changes_are_those_since_they_were_written() {
     let mut uploaded: Vec<u32> = Vec::new();
     for distance in [9.0, 5.0, 4.9, 4.9, 2.0, 30.0] {
         assert_eq!(striata_view_update(Some(&mut view), Some(&camera(distance)), 1.0, 0, None), STRIATA_OK);
+        let view = &mut *view;
         // SAFETY: the memory is as large as stated, here and below.
-        let indices = filled(|to, n| unsafe { striata_view_emit(Some(&view), to, n) }).expect("indices");
+        let shown = unsafe { striata_view_emit(Some(view), null_mut(), 0) };
         // SAFETY: as above.
-        let spans = filled(|to, n| unsafe { striata_view_changes(Some(&mut view), to, n) }).expect("spans");
-        assert_eq!(spans.is_empty(), uploaded == indices);
-        uploaded.resize(indices.len(), u32::MAX);
+        let spans = filled(|to, n| unsafe { striata_view_changes(Some(view), 0, to, n) }).expect("spans");
+        // SAFETY: as above.
+        let all = filled(|to, n| unsafe { striata_view_placed(Some(view), 0, None, to, n) });
+        let all = all.expect("indices");
+        assert_eq!(spans.is_empty(), uploaded == all);
+        uploaded.resize(all.len(), u32::MAX);
         for span in spans {
+            // SAFETY: as above.
+            let part = filled(|to, n| unsafe { striata_view_placed(Some(view), 0, Some(&span), to, n) });
             let range = span.first_index as usize..(span.first_index + span.index_count) as usize;
-            uploaded[range.clone()].copy_from_slice(&indices[range]);
+            uploaded[range].copy_from_slice(&part.expect("a part"));
         }
-        assert_eq!(uploaded, indices);
+        assert_eq!(uploaded, all);
+        assert_eq!(3 * uploaded.as_chunks::<3>().0.iter().filter(|[a, b, _]| a != b).count() as i64, shown);
     }
+    let beyond = StriataSpan { first_index: u32::MAX, index_count: u32::MAX };
+    // SAFETY: nothing is written, here and below.
+    let part = unsafe { striata_view_placed(Some(&mut view), 0, Some(&beyond), null_mut(), 0) };
+    assert_eq!(part, i64::from(STRIATA_BAD_ARGUMENT));
+    // SAFETY: as above.
+    let part = unsafe { striata_view_placed(Some(&mut view), 1, None, null_mut(), 0) };
+    assert_eq!((part, message().as_str()), (STRIATA_BAD_ARGUMENT.into(), "group: there is no group 1 of 1"));
+    // SAFETY: as above.
+    assert_eq!(unsafe { striata_view_changes(None, 0, null_mut(), 0) }, i64::from(STRIATA_NULL));
 }
 
 #[test]

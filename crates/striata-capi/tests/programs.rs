@@ -111,7 +111,7 @@ fn view_lines(lod: &Lod) -> String {
     view.update(&camera, 2.0);
     let sum = checksum(view.indices().iter().copied());
     let uniform = level_line(lod, lod.target_for_view(&camera, 2.0));
-    format!("view {} {sum:08x}\nchanges 1 0\n{uniform}", view.triangle_count())
+    format!("view {} {sum:08x}\nchanges 1 {sum:08x} 0\n{uniform}", view.triangle_count())
 }
 
 fn bumpy() -> IndexedMesh {

@@ -96,9 +96,11 @@ static void print_view(const StriataLod *lod) {
   check(striata_view_emit(view, indices, update.index_count), "view");
   printf("view %u %08x\n", update.triangle_count, checksum(indices, update.index_count));
   StriataSpan spans[4];
-  printf("changes %d", (int)striata_view_changes(view, spans, 4));
+  printf("changes %d", (int)striata_view_changes(view, 0, spans, 4));
+  check(striata_view_placed(view, 0, &spans[0], indices, update.index_count), "placed");
+  printf(" %08x", checksum(indices, update.index_count));
   check(striata_view_update(view, &camera, 2, 0, NULL), "update");
-  printf(" %d\n", (int)striata_view_changes(view, spans, 4));
+  printf(" %d\n", (int)striata_view_changes(view, 0, spans, 4));
   striata_view_free(view);
   free(indices);
   StriataLevel level;
