@@ -5,14 +5,15 @@ use std::process::{Command, Output};
 
 use crate::workbench::{NO_DRIVERS, Workbench, asset};
 
-/// Returns the guides to the command with their names, sorted. Those to the Python package are tested with it.
+/// Returns the guides to the command with their names, sorted. Those to the Python package and to the C library are
+/// tested with them.
 fn guides() -> Vec<(String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/guide");
     let entries = std::fs::read_dir(folder).expect("the guides are in the repository");
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).collect();
     paths.retain(|path| {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        name.ends_with(".md") && !name.starts_with("python")
+        name.ends_with(".md") && !name.starts_with("python") && name != "c.md"
     });
     paths.sort();
     let read = |path: &PathBuf| std::fs::read_to_string(path).expect("a guide is text");

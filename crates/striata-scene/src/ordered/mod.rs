@@ -15,6 +15,7 @@
 
 mod write;
 
+pub use striata::lod::IndexRange;
 pub use write::{ORDER_EXTENSION, OrderedGlb};
 
 use serde_json::{Value, json};
@@ -58,19 +59,6 @@ pub struct OrderedLevel {
     pub error: f32,
 }
 
-/// Place of a level in the indices of a primitive.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct IndexRange {
-    /// First index of the level.
-    pub first_index: usize,
-    /// Number of indices, three per triangle.
-    pub index_count: usize,
-    /// Vertices that the indices refer to, from the start of the vertex buffer.
-    pub vertex_count: usize,
-    /// Largest distance of the full mesh from the level, in mesh units.
-    pub error: f32,
-}
-
 impl LodScene {
     /// Returns each mesh of the document with its vertices in refinement order and a table of its levels, of which the
     /// first `range_count` are also index ranges; [`None`] for meshes without triangles.
@@ -81,7 +69,7 @@ impl LodScene {
         let meshes = self.full_scene().meshes_in_cache_order();
         let made = |(index, (mesh, lod)): (usize, (Option<IndexedMesh>, &Option<Lod>))| {
             let sequence = lod.as_ref()?.sequence();
-            let (mesh, splits) = (mesh?, halving_splits(sequence));
+            let (mesh, splits) = (mesh?, sequence.halving_split_counts());
             let are_blended = self.scene().are_blended(index);
             let primitives =
                 mesh.groups_or_whole().into_iter().zip(are_blended).map(|(group, is_blended)| {
@@ -94,22 +82,6 @@ impl LodScene {
         };
         meshes.into_iter().zip(self.lods()).enumerate().map(made).collect()
     }
-}
-
-/// Split counts of the full mesh, and of levels with half as many triangles each down to the base mesh.
-fn halving_splits(sequence: &CollapseSequence) -> Vec<usize> {
-    let full = sequence.step_count();
-    let (mut splits, mut last) = (vec![full], full);
-    let mut limit = sequence.triangle_count_at(full);
-    while last > 0 {
-        limit /= 2;
-        let split_count = if limit > 0 { sequence.split_count_for_triangles(limit) } else { 0 };
-        if split_count < last {
-            splits.push(split_count);
-            last = split_count;
-        }
-    }
-    splits
 }
 
 /// Makes the levels of a primitive, each from the triangles of the one before, which keep their order.

@@ -9,6 +9,9 @@ use crate::model::{FanForm, FanIndices, LodModel as _};
 use crate::simplify::{StopReason, Target};
 use crate::strip::{StripIndices, stripify};
 
+/// Room behind the indices of a level, so that the triangles of its last vertex can be written like all others.
+const SLACK: usize = 64;
+
 /// A uniform level of detail of a [`Lod`](super::Lod): a triangle list over a prefix of its vertices.
 #[derive(Clone, Debug)]
 pub struct Level {
@@ -34,8 +37,13 @@ impl Level {
 
     /// Moves to another level of the same mesh, reusing memory.
     pub fn move_to(&mut self, target: Target) {
-        let fans = self.tables.fans();
-        (self.split_count, self.stop_reason) = target.resolve(&self.tables.refinable().sequence);
+        let (fans, sequence) = (self.tables.fans(), &self.tables.refinable().sequence);
+        (self.split_count, self.stop_reason) = target.resolve(sequence);
+        let needed = 3 * sequence.triangle_count_at(self.split_count) + SLACK;
+        if self.indices.indices.capacity() < needed {
+            // Growing step by step would copy everything several times; the operating system clears memory on first use.
+            self.indices.indices = vec![0; needed];
+        }
         let mut state = fans.new_state();
         fans.move_to(&mut state, self.split_count);
         fans.emit_level_into(&state, FanForm::Triangles, &mut self.indices);

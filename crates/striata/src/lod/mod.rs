@@ -27,15 +27,21 @@
 //! ```
 
 mod level;
+mod level_sizes;
 mod levels;
 mod options;
+mod placed_triangles;
+mod ranges;
 mod strip_level;
 mod tables;
 mod view;
 mod view_set;
 
 pub use level::Level;
+pub use level_sizes::LevelSizes;
 pub use options::LodOptions;
+pub use placed_triangles::PlacedTriangles;
+pub use ranges::{IndexRange, LevelRanges};
 pub use strip_level::StripLevel;
 pub use view::View;
 pub use view_set::{InstanceId, PlacementError, ViewSet, ViewSetUpdate};
@@ -81,11 +87,12 @@ impl Lod {
         progress: &mut ProgressFn<'_>,
     ) -> Result<Self, SimplifyError> {
         let built = build_sequence_with_progress(mesh, &options.sequence, progress)?;
-        if !options.has_guaranteed_errors {
-            return Ok(Self::from_refinable(built.refinable));
-        }
-        let certified = certify_collapses_in_any_state_with_progress(&built.refinable, progress)?;
-        Ok(Self::from_certified(certified))
+        let refinable = match options.has_guaranteed_errors {
+            true => certify_collapses_in_any_state_with_progress(&built.refinable, progress)?,
+            false => built.refinable,
+        };
+        let tables = LodTables::new(refinable, options.has_guaranteed_errors);
+        Ok(Self { tables: Arc::new(tables.with_source_vertices(built.source_vertex)) })
     }
 
     /// Wraps a mesh that already has a collapse sequence, such as a decoded stream; its errors count as
@@ -100,7 +107,8 @@ impl Lod {
     pub fn without_levels_below(&self, split_count: usize) -> Self {
         let first = split_count.min(self.step_count());
         let refinable = self.tables.refinable().clone().without_levels_below(first);
-        Self { tables: Arc::new(LodTables::new(refinable, self.has_guaranteed_errors())) }
+        let tables = LodTables::new(refinable, self.has_guaranteed_errors());
+        Self { tables: Arc::new(tables.with_source_vertices(self.source_vertices().to_vec())) }
     }
 
     /// Wraps a mesh whose errors are guaranteed bounds, as computed by
@@ -158,6 +166,14 @@ impl Lod {
     /// Positions of all vertices, in refinement order.
     pub fn positions(&self) -> &[[f32; 3]] {
         &self.mesh().positions
+    }
+
+    /// The vertex of the input that each vertex of [`mesh`](Self::mesh) came from, so that a caller can put vertex
+    /// buffers of its own into refinement order. Equal vertices of the input are one vertex, and come from the first.
+    ///
+    /// Empty if the levels were read from a file or a stream, which do not know the input.
+    pub fn source_vertices(&self) -> &[u32] {
+        self.tables.source_vertices()
     }
 
     /// The sequence of collapses, with the error of each step.

@@ -13,6 +13,8 @@ use crate::{Cancelled, ProgressFn};
 #[derive(Debug)]
 pub(super) struct LodTables {
     refinable: RefinableMesh,
+    /// Vertex of the input that each vertex came from; empty if that is unknown.
+    source_vertices: Vec<u32>,
     /// With the bounding sphere of all positions.
     fans: OnceLock<(Fans, Sphere)>,
     /// Held by the call that builds the fans and can be cancelled, so that others wait for it.
@@ -27,6 +29,7 @@ impl LodTables {
     pub(super) fn new(refinable: RefinableMesh, has_guaranteed_errors: bool) -> Self {
         Self {
             refinable,
+            source_vertices: Vec::new(),
             fans: OnceLock::new(),
             preparing: Mutex::new(()),
             strips: OnceLock::new(),
@@ -43,6 +46,10 @@ impl LodTables {
             Some(fans) => tables.with_fans(fans?),
             None => tables,
         })
+    }
+
+    pub(super) fn with_source_vertices(self, source_vertices: Vec<u32>) -> Self {
+        Self { source_vertices, ..self }
     }
 
     fn with_fans(mut self, fans: Fans) -> Self {
@@ -67,6 +74,10 @@ impl LodTables {
 
     pub(super) fn refinable(&self) -> &RefinableMesh {
         &self.refinable
+    }
+
+    pub(super) fn source_vertices(&self) -> &[u32] {
+        &self.source_vertices
     }
 
     fn fans_and_sphere(&self) -> &(Fans, Sphere) {

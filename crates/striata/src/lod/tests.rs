@@ -195,3 +195,77 @@ fn the_fans_report_progress_and_can_be_cancelled() {
         assert!(lod.level(Target::Triangles(100)).triangle_count() <= 100, "the next call builds them");
     }
 }
+
+#[test]
+fn sizes_of_levels_are_known_without_their_triangles() {
+    for mesh in consistent_meshes() {
+        let lod = Lod::build(&mesh, &LodOptions::default()).unwrap();
+        for target in [Target::Triangles(50), Target::Vertices(40), Target::Detail(0.3), Target::Error(0.1)] {
+            let (sizes, level) = (lod.resolve(target), lod.level(target));
+            assert_eq!(sizes.split_count, level.split_count());
+            assert_eq!(
+                (sizes.vertex_count, sizes.triangle_count),
+                (level.vertex_count(), level.triangle_count())
+            );
+            assert_eq!((sizes.error, sizes.stop_reason), (level.error(), level.stop_reason()));
+        }
+    }
+}
+
+#[test]
+fn vertices_of_the_input_are_known_unless_the_levels_come_from_a_file() {
+    for (mesh, is_guaranteed) in consistent_meshes().zip([false, true, false]) {
+        let options = LodOptions::default().with_guaranteed_errors(is_guaranteed);
+        let lod = Lod::build(&mesh, &options).unwrap();
+        let sources = lod.source_vertices();
+        let permuted: Vec<_> = sources.iter().map(|&v| mesh.positions[v as usize]).collect();
+        assert_eq!(permuted, lod.positions());
+        assert_eq!(lod.without_levels_below(3).source_vertices(), sources);
+        let bytes = lod.to_striata(&WriteOptions::default()).unwrap();
+        assert!(Lod::from_file(&StriataFile::parse(&bytes).unwrap()).unwrap().source_vertices().is_empty());
+    }
+}
+
+#[test]
+fn ranges_are_the_levels_of_each_group() {
+    for mesh in consistent_meshes() {
+        let lod = Lod::build(&mesh, &LodOptions::default()).unwrap();
+        let splits = lod.sequence().halving_split_counts();
+        assert_eq!((splits[0], splits[splits.len() - 1]), (lod.step_count(), 0));
+        let group_count = mesh.groups_or_whole().len();
+        for group in (0..group_count).map(Some).chain([None]) {
+            let made = lod.ranges(&splits, group);
+            for (&split_count, range) in splits.iter().zip(&made.ranges) {
+                let level = lod.level(Target::SplitCount(split_count));
+                let expected = match group {
+                    Some(group) => level.groups()[group].start as usize..level.groups()[group].end as usize,
+                    None => 0..level.indices().len(),
+                };
+                let found = &made.indices[range.first_index..][..range.index_count];
+                let [found, expected] = [found, &level.indices()[expected]]
+                    .map(|indices| canonical_triangles(indices.as_chunks().0));
+                assert_eq!(found, expected);
+                assert_eq!((range.vertex_count, range.error), (level.vertex_count(), level.error()));
+            }
+        }
+    }
+}
+
+#[test]
+fn uniform_levels_for_a_camera_keep_the_error_on_the_screen() {
+    let lod = Lod::build(&shapes::icosphere(4, 1.0), &LodOptions::default()).unwrap();
+    let camera = |eye: f32, target: f32| {
+        Camera::new([0.0, 0.0, eye], [0.0, 0.0, target], [0.0, 1.0, 0.0], 0.5, [800, 800]).unwrap()
+    };
+    let triangles = |camera: &Camera, pixels| lod.resolve(lod.target_for_view(camera, pixels)).triangle_count;
+    let counts = [2.0, 5.0, 20.0, 100.0].map(|eye| triangles(&camera(eye, 0.0), 1.0));
+    assert!(counts.is_sorted_by(|a, b| a > b), "{counts:?}");
+    let full = lod.mesh().triangle_count();
+    assert_eq!([0.0, -1.0, f32::NAN].map(|pixels| triangles(&camera(5.0, 0.0), pixels)), [full; 3]);
+    assert_eq!(triangles(&camera(0.5, 0.0), 1.0), full, "a camera inside");
+    let off = camera(5.0, 9.0);
+    assert_eq!(lod.target_for_view(&off, 1.0), Target::SplitCount(0));
+    let level = lod.resolve(lod.target_for_view(&camera(5.0, 0.0), 1.0));
+    // 800 pixels for a tangent of 0.5, and nothing is nearer than 4.
+    assert!(level.error * 800.0 / 4.0 <= 1.0 && level.triangle_count < full);
+}

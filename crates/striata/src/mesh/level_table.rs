@@ -13,6 +13,8 @@ pub struct LevelTable {
     errors: Vec<f32>,
     /// Triangle count at each split count; `step_count + 1` entries.
     triangle_counts: Vec<u32>,
+    /// Whether triangle counts never fall as detail rises; those of collapses never do.
+    is_rising: bool,
 }
 
 impl LevelTable {
@@ -45,7 +47,8 @@ impl LevelTable {
             }
             previous = error;
         }
-        Ok(Self { positions, base_position_count, errors, triangle_counts })
+        let is_rising = triangle_counts.is_sorted();
+        Ok(Self { positions, base_position_count, errors, triangle_counts, is_rising })
     }
 
     /// The vertices (wedges) of each position.
@@ -112,8 +115,12 @@ impl LevelTable {
 
     /// Split count of the most detailed level with at most `triangle_count` triangles; 0 if there is none.
     pub fn split_count_for_triangles(&self, triangle_count: usize) -> usize {
-        // Linear search: counts need not rise, since the floor of a fragment may be larger than its ceiling.
-        self.triangle_counts.iter().rposition(|&n| n as usize <= triangle_count).unwrap_or(0)
+        let is_within = |&n: &u32| n as usize <= triangle_count;
+        if self.is_rising {
+            return self.triangle_counts.partition_point(is_within).saturating_sub(1);
+        }
+        // Counts need not rise, since the floor of a fragment may be larger than its ceiling.
+        self.triangle_counts.iter().rposition(is_within).unwrap_or(0)
     }
 
     /// Split count of the most detailed level with at most `vertex_count` vertices; 0 if there is none.
@@ -138,4 +145,21 @@ pub fn steps_for_detail(detail: f64, step_count: usize) -> usize {
     // The small term keeps `k / step_count` from rounding down to `k - 1`.
     let exact = detail.clamp(0.0, 1.0) * step_count as f64;
     ((exact + 1e-9 * exact.max(1.0)) as usize).min(step_count)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn levels_for_triangles_are_found_in_rising_and_other_counts() {
+        for counts in [vec![2, 2, 4, 4, 9], vec![2, 5, 4, 8, 7]] {
+            let table = LevelTable::new(PositionIndex::identity(7), 3, counts.clone(), vec![0.0; 4]);
+            let table = table.expect("a table");
+            for limit in 0..12 {
+                let expected = counts.iter().rposition(|&n| n as usize <= limit).unwrap_or(0);
+                assert_eq!(table.split_count_for_triangles(limit), expected, "{counts:?} {limit}");
+            }
+        }
+    }
 }

@@ -181,6 +181,22 @@ impl CollapseSequence {
     pub fn split_count_for_detail(&self, detail: f64) -> usize {
         self.levels.split_count_for_detail(detail)
     }
+
+    /// Split counts of the full mesh, and of levels with half as many triangles each down to the base mesh.
+    pub fn halving_split_counts(&self) -> Vec<usize> {
+        let full = self.step_count();
+        let (mut splits, mut last) = (vec![full], full);
+        let mut limit = self.triangle_count_at(full);
+        while last > 0 {
+            limit /= 2;
+            let split_count = if limit > 0 { self.split_count_for_triangles(limit) } else { 0 };
+            if split_count < last {
+                splits.push(split_count);
+                last = split_count;
+            }
+        }
+        splits
+    }
 }
 
 fn check_targets(positions: &PositionIndex, base: usize, targets: &[u32]) -> Result<(), SequenceError> {
