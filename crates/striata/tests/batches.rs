@@ -330,9 +330,10 @@ fn general_batches_simplify_assets() {
 }
 
 #[test]
-fn closed_scans_have_no_general_batches() {
+fn closed_scans_have_no_general_batches_above_the_floor() {
     for mesh in [shapes::icosphere(4, 1.0), rough(shapes::torus(60, 40, 2.0, 0.7), 0.01, 3)] {
-        let [with, without] = [BatchOptions::default(), surface_only()].map(|options| build(&mesh, &options));
+        let general = BatchOptions::default().with_general_floor(300);
+        let [with, without] = [general, surface_only()].map(|options| build(&mesh, &options));
         assert_eq!((with.built.refinable, with.batches), (without.built.refinable, without.batches));
     }
 }
