@@ -38,6 +38,7 @@ const FEATURES_ALONE: &[(&str, &str)] = &[
     ("striata-scene", ""),
     ("striata-tiles", ""),
     ("striata-scene", "textures"),
+    ("striata-scene", "parallel"),
     ("striata-strip", ""),
     ("striata-cli", ""),
     ("striata-cli", "gpu"),

@@ -9,6 +9,10 @@ use std::ops::ControlFlow;
 use striata::mesh::IndexedMesh;
 use striata::{Cancelled, Progress, ProgressFn};
 
+/// Time for which a thread waits for others before it looks for other work.
+#[cfg(feature = "parallel")]
+const WAIT: std::time::Duration = std::time::Duration::from_millis(10);
+
 /// A mesh that a job has failed for, and why.
 pub(crate) struct MeshFailure<E> {
     /// Index of the mesh.
@@ -104,49 +108,72 @@ fn run<T: Send>(
     report: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
 ) -> Vec<(usize, T)> {
     #[cfg(feature = "parallel")]
-    if count > 1 && rayon::current_num_threads() > 1 && rayon::current_thread_index().is_none() {
+    if count > 1 && rayon::current_num_threads() > 1 {
         return run_parallel(count, job, report);
     }
     (0..count).map(|number| (number, job(number, &mut |now| report(number, now)))).collect()
 }
 
-/// Runs jobs on the threads of rayon's pool, whose number the caller of the library decides. The caller's thread
-/// reports; it must not be one of them, for which the jobs may wait.
+/// Runs jobs on the caller's thread and on those of the current pool of rayon, of which the caller's may be one. Only the
+/// caller's thread reports.
 #[cfg(feature = "parallel")]
 fn run_parallel<T: Send>(
     count: usize,
     job: impl Fn(usize, &mut ProgressFn<'_>) -> T + Sync,
     report: &mut dyn FnMut(usize, Progress) -> ControlFlow<()>,
 ) -> Vec<(usize, T)> {
-    use std::sync::atomic::{AtomicBool, Ordering};
+    use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
+    use std::sync::mpsc::{RecvTimeoutError, channel};
+    use std::sync::{Mutex, PoisonError};
 
-    use rayon::iter::{ParallelBridge, ParallelIterator};
-
-    let is_cancelled = AtomicBool::new(false);
-    let (sender, receiver) = std::sync::mpsc::channel();
-    let (job, is_cancelled) = (&job, &is_cancelled);
-    let made = std::thread::scope(|scope| {
-        let jobs = scope.spawn(move || {
-            let run_one = |sender: &mut std::sync::mpsc::Sender<_>, number: usize| {
-                let mut tell = |now: Progress| match sender.send((number, now)) {
-                    Ok(()) if !is_cancelled.load(Ordering::Relaxed) => ControlFlow::Continue(()),
-                    _ => ControlFlow::Break(()),
-                };
-                (number, job(number, &mut tell))
-            };
-            // A bridge gives each free thread the next number.
-            (0..count).par_bridge().map_with(sender, run_one).collect::<Vec<_>>()
+    let (next, is_cancelled) = (AtomicUsize::new(0), AtomicBool::new(false));
+    let results = Mutex::new(Vec::with_capacity(count));
+    let run_all = |tell: &mut dyn FnMut(usize, Progress)| {
+        // Each thread takes the next number when it is free.
+        while let Some(number) = Some(next.fetch_add(1, Relaxed)).filter(|&number| number < count) {
+            let result = job(number, &mut |now| {
+                tell(number, now);
+                if is_cancelled.load(Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            });
+            results.lock().unwrap_or_else(PoisonError::into_inner).push((number, result));
+        }
+    };
+    let mut report = |number: usize, now: Progress| {
+        if !is_cancelled.load(Relaxed) && report(number, now).is_break() {
+            is_cancelled.store(true, Relaxed);
+        }
+    };
+    rayon::in_place_scope(|scope| {
+        let (sender, receiver) = channel();
+        for _ in 1..rayon::current_num_threads().min(count) {
+            let (sender, run_all) = (sender.clone(), &run_all);
+            scope.spawn(move |_| {
+                run_all(&mut |number, now| {
+                    // The receiver lives as long as the scope.
+                    let _ = sender.send((number, now));
+                });
+            });
+        }
+        drop(sender);
+        run_all(&mut |number, now| {
+            receiver.try_iter().for_each(|(number, now)| report(number, now));
+            report(number, now);
         });
-        for (number, now) in receiver {
-            if !is_cancelled.load(Ordering::Relaxed) && report(number, now).is_break() {
-                is_cancelled.store(true, Ordering::Relaxed);
+        // The other threads still run.
+        loop {
+            match receiver.recv_timeout(WAIT) {
+                Ok((number, now)) => report(number, now),
+                Err(RecvTimeoutError::Disconnected) => break,
+                // Jobs of this or another call may wait for this thread.
+                Err(RecvTimeoutError::Timeout) => {
+                    let _ = rayon::yield_now();
+                }
             }
         }
-        jobs.join()
     });
-    let mut made = made.unwrap_or_else(|panic| std::panic::resume_unwind(panic));
-    made.sort_by_key(|&(number, _)| number);
-    made
+    let mut results = results.into_inner().unwrap_or_else(PoisonError::into_inner);
+    results.sort_by_key(|&(number, _)| number);
+    results
 }
 
 /// Progress over all items, in their sizes.
@@ -232,6 +259,16 @@ mod tests {
         let sizes: Vec<Option<usize>> = (0..30).map(Some).collect();
         let Err(failure) = run_all(&sizes, |index| index % 7 == 5, |_| false) else { panic!("jobs fail") };
         assert_eq!((failure.mesh, failure.error.as_str()), (5, "job 5"));
+    }
+
+    #[cfg(feature = "parallel")]
+    #[test]
+    fn jobs_of_jobs_end_in_a_small_pool() {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("two threads");
+        let sums = pool.install(|| map(8, |i| map(8, |j| map(3, |k| i * j * k).iter().sum::<usize>())));
+        for (i, sums) in sums.iter().enumerate() {
+            assert!(sums.iter().enumerate().all(|(j, &sum)| sum == 3 * i * j), "{sums:?}");
+        }
     }
 
     #[test]
