@@ -1,6 +1,6 @@
 //! `.striata` files, and the end of a handle.
 
-use std::ffi::{CStr, c_char};
+use std::ffi::c_char;
 use std::fs;
 use std::mem::MaybeUninit;
 
@@ -8,8 +8,8 @@ use striata::Lod;
 use striata::file::DecodeError;
 
 use crate::StriataLod;
-use crate::raw::slice;
-use crate::status::{CallFailure, CallResult, STRIATA_BAD_BYTES, STRIATA_IO, STRIATA_NULL, given, status_of};
+use crate::raw::{slice, text};
+use crate::status::{CallFailure, STRIATA_BAD_BYTES, STRIATA_IO, given, status_of};
 
 /// Reads a `.striata` file, also one that contains a stream, and writes a handle to `to`. The path is UTF-8.
 ///
@@ -23,7 +23,7 @@ pub unsafe extern "C" fn striata_lod_open(
     status_of(|| {
         let to = given("to", to)?.write(None);
         // SAFETY: the promise of the caller.
-        let path = unsafe { path_of(path) }?;
+        let path = unsafe { text("path", path) }?;
         let failed = |error| CallFailure::new(STRIATA_IO, format_args!("{path}: {error}"));
         let bytes = fs::read(path).map_err(failed)?;
         let levels = decoded(&bytes)
@@ -66,7 +66,7 @@ pub unsafe extern "C" fn striata_lod_save(lod: Option<&StriataLod>, path: *const
     status_of(|| {
         let lod = &given("lod", lod)?.levels;
         // SAFETY: the promise of the caller.
-        let path = unsafe { path_of(path) }?;
+        let path = unsafe { text("path", path) }?;
         striata_io::save(path, lod).map_err(|error| CallFailure::new(STRIATA_IO, error))
     })
 }
@@ -79,17 +79,4 @@ pub extern "C" fn striata_lod_free(lod: Option<Box<StriataLod>>) {
         drop(lod);
         Ok(())
     });
-}
-
-/// Borrows a path of the caller.
-///
-/// # Safety
-/// Unless it is null, the pointer is a text that ends with a zero.
-unsafe fn path_of<'a>(path: *const c_char) -> CallResult<&'a str> {
-    if path.is_null() {
-        return Err(CallFailure::new(STRIATA_NULL, "path is null"));
-    }
-    // SAFETY: the promise of the caller.
-    let path = unsafe { CStr::from_ptr(path) };
-    path.to_str().map_err(|error| CallFailure::argument("path", error))
 }

@@ -3,6 +3,7 @@
 //! This is the only place that reads or writes through pointers. It refuses null, wrong alignment, and sizes that no memory
 //! can have; that the memory exists is the promise of the caller.
 
+use std::ffi::{CStr, c_char};
 use std::mem::MaybeUninit;
 
 use crate::status::{CallFailure, CallResult, STRIATA_NULL, STRIATA_TOO_SMALL};
@@ -48,6 +49,17 @@ pub(crate) unsafe fn slice<'a, T>(name: &str, pointer: *const T, count: usize) -
     check_alignment(name, pointer)?;
     // SAFETY: the pointer is aligned and not null, and the caller promises that there are as many elements.
     Ok(unsafe { std::slice::from_raw_parts(pointer, count) })
+}
+
+/// Borrows a text of the caller.
+///
+/// # Safety
+/// Unless it is null, the pointer is a text that ends with a zero and does not change during the call.
+pub(crate) unsafe fn text<'a>(name: &str, pointer: *const c_char) -> CallResult<&'a str> {
+    check_pointer(name, pointer, Some(1))?;
+    // SAFETY: the pointer is not null, and the caller promises the text.
+    let text = unsafe { CStr::from_ptr(pointer) };
+    text.to_str().map_err(|error| CallFailure::argument(name, error))
 }
 
 /// Rows of numbers in memory of the caller, at equal distances, as in an interleaved vertex buffer.
