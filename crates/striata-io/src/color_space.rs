@@ -170,7 +170,7 @@ pub(crate) fn srgb_to_linear(value: f32) -> f32 {
 }
 
 /// Converts linear light in 0..=1 to an sRGB value.
-pub(crate) fn linear_to_srgb(value: f32) -> f32 {
+pub fn linear_to_srgb(value: f32) -> f32 {
     let x = f64::from(unit(value));
     (if x <= 0.003_130_8 { x * 12.92 } else { 1.055 * libm::pow(x, 1.0 / 2.4) - 0.055 }) as f32
 }

@@ -12,6 +12,8 @@ use percent_encoding::percent_decode_str;
 use striata::mesh::Image;
 
 use crate::CompanionFile;
+#[cfg(feature = "gltf")]
+use crate::EncodedMesh;
 use crate::error::Place;
 use crate::report::Warnings;
 
@@ -34,6 +36,39 @@ pub(crate) struct ImageFiles<'m> {
     /// Names of the files to write in lower case, since many file systems do not distinguish case.
     taken: BTreeMap<String, Option<usize>>,
     files: Vec<CompanionFile>,
+}
+
+/// An output in the making, in a format that is written elsewhere: images that become files next to it, as for the formats
+/// of this crate, and remarks on what it cannot store.
+#[cfg(feature = "gltf")]
+pub struct OutputFiles<'m> {
+    images: ImageFiles<'m>,
+    warnings: Warnings,
+}
+
+#[cfg(feature = "gltf")]
+impl<'m> OutputFiles<'m> {
+    /// Begins an output that is written to a path, or, for [`None`], kept in memory.
+    pub fn new(images: &'m [Image], output: Option<&Path>) -> Self {
+        let name = output.map_or_else(|| "output".to_owned(), |path| path.display().to_string());
+        Self { images: ImageFiles::new(images, output), warnings: Warnings::of_file(&name) }
+    }
+
+    /// Returns the name by which the output refers to an image, in its folder; [`None`] if there is no such image.
+    pub fn name_of(&mut self, image: usize) -> Option<String> {
+        self.images.name_of(image, &mut self.warnings)
+    }
+
+    /// Notes what the format cannot store.
+    pub fn warn(&mut self, reason: impl Into<String>) {
+        self.warnings.push(Place::File, reason);
+    }
+
+    /// Completes the output with the contents of the file itself.
+    pub fn finish(self, bytes: Vec<u8>) -> EncodedMesh {
+        let (companions, warnings) = (self.images.into_files(), self.warnings.into_list());
+        EncodedMesh { bytes, companions, warnings }
+    }
 }
 
 /// A file that needs a name.

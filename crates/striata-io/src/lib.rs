@@ -172,7 +172,9 @@ mod write_options;
 pub use atomic::{FileBatch, write_atomically};
 #[cfg(all(feature = "blocks", not(target_family = "wasm")))]
 pub use blocks::{StripSpool, TriangleBlocks};
-pub use color_space::{convert_colors, linear_to_srgb_colors, needs_other_colors, srgb_to_linear_colors};
+pub use color_space::{
+    convert_colors, linear_to_srgb, linear_to_srgb_colors, needs_other_colors, srgb_to_linear_colors,
+};
 pub use compressed::decompressed;
 pub use error::{Place, ReadError, WriteError};
 pub use format::Format;
@@ -182,6 +184,8 @@ pub use gltf::encode_draco;
 pub use gltf::{ExtensionUse, extension_use, known_extensions, shaded};
 #[cfg(feature = "gltf")]
 pub use gltf_json::texcoord_scale;
+#[cfg(feature = "gltf")]
+pub use image_files::OutputFiles;
 #[cfg(not(target_family = "wasm"))]
 pub use lod::{open, save};
 pub use lost_data::losses;

@@ -12,6 +12,7 @@
 //! | [`mod@lod_chain`] | glTF files with several levels that engines switch between |
 //! | [`clustered`] | clusters of all levels, for engines that draw meshlets; glTF files that carry them |
 //! | [`ordered`] | vertices in refinement order, with a table of levels and index ranges; glTF files that carry both |
+//! | [`godot`] | scenes and meshes with levels as text files of Godot |
 //! | `view` | levels of a scene for a camera; `place` says how large errors of an instance appear |
 //! | `scene_view` | triangles for renderers, frame after frame |
 //! | [`stream`] | a scene as one progressive stream |
@@ -26,6 +27,7 @@ mod error;
 mod extended_glb;
 pub mod file;
 pub mod glb_stream;
+pub mod godot;
 mod level_walk;
 mod levels;
 pub mod lod_chain;

@@ -168,7 +168,7 @@ pub(crate) struct BaseArgs {
 /// Arguments of `build`.
 #[derive(Debug, Args)]
 #[command(
-    override_usage = "striata build [OPTIONS] <INPUT>... [-o <OUT.striata|OUT.glb>]",
+    override_usage = "striata build [OPTIONS] <INPUT>... [-o <OUT.striata|OUT.glb|OUT.tscn>]",
     after_help = "Examples:\n  \
     striata build scan.ply --models lodstrips,fans --base 500 --max-error 1%\n  \
     striata build robot.gltf -o robot.glb --ranges 8"
@@ -180,13 +180,15 @@ pub(crate) struct BuildArgs {
     #[arg(value_name = "MORE")]
     pub more: Vec<PathBuf>,
     /// File to write, or - for stdout [default: the input with extension .striata]. A .glb is a plain glTF file at full
-    /// detail, with vertices in refinement order and what makes levels of it (STRIATA_order)
+    /// detail, with vertices in refinement order and what makes levels of it (STRIATA_order). A .tscn or .tres is a scene or
+    /// mesh for Godot with all levels
     #[arg(short, long, value_name = "OUT.striata")]
     pub output: Option<PathBuf>,
     /// Let the output replace the input
     #[arg(long)]
     pub force: bool,
-    /// For .glb: also store the first N levels as index ranges, each with half of the triangles of the one before
+    /// For .glb: also store the first N levels as index ranges, each with half of the triangles of the one before. For Godot:
+    /// store only the first N levels
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub ranges: Option<u32>,
     /// For .glb: store clusters of at most N triangles for engines that draw meshlets (STRIATA_clusters), instead of

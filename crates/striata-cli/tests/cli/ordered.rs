@@ -122,3 +122,30 @@ fn clusters_are_stored_in_a_plain_file() {
     let summary = String::from_utf8_lossy(&summary.get_output().stderr).into_owned();
     assert!(summary.contains("clusters") && summary.contains("groups"), "{summary}");
 }
+
+#[test]
+fn files_for_godot_have_all_levels_and_say_what_is_left_out() {
+    let bench = arm();
+    let run = bench.run("build arm.glb -o arm.tscn").success();
+    let said = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
+    let text = String::from_utf8(bench.read("arm.tscn")).expect("text");
+    assert!(text.starts_with("[gd_scene format=4]"));
+    assert!(text.contains("type=\"MeshInstance3D\" parent=\".\"") && text.contains("\"lods\": ["));
+    let has_animations = String::from_utf8_lossy(&bench.read("arm.glb")).contains("\"animations\"");
+    assert_eq!(said.contains("animations are left out"), has_animations, "{said}");
+    bench.write("ball.obj", sphere(20, 30));
+    let report = bench.json("build ball.obj -o ball.tres --ranges 3");
+    let text = String::from_utf8(bench.read("ball.tres")).expect("text");
+    assert_eq!(report["output_bytes"].as_u64(), Some(text.len() as u64));
+    let levels = text.split("\"lods\": [").nth(1).and_then(|rest| rest.split("],").next()).expect("levels");
+    assert_eq!(levels.matches("PackedByteArray").count(), 2, "besides the full mesh");
+    for (arguments, expected) in [
+        ("arm.glb -o arm.tres", "a .tres file has one mesh"),
+        ("ball.obj -o ball.tscn --clusters", "--clusters is for .glb outputs"),
+        ("ball.obj -o ball.tscn --models fans", "--models is for .striata files"),
+    ] {
+        let run = bench.run(&format!("build {arguments}")).failure();
+        let said = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
+        assert!(said.contains(expected), "{said}");
+    }
+}

@@ -32,6 +32,7 @@ use striata_command::save::{
 use striata_command::scene::with_mesh_textures;
 use striata_command::sequence::{Limits, SequencePlan, limit_in_units};
 use striata_io::Format;
+use striata_scene::godot::GodotKind;
 
 /// Reads the mesh, builds and writes the file, and reports.
 ///
@@ -60,9 +61,9 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     phases.enter("read");
     bar.phase("read");
     let input = Input::open(&args.input)?;
-    if format == Format::Glb || input.scene_kind().is_some() && !args.scene.flat {
+    if format != BuildFormat::Striata || input.scene_kind().is_some() && !args.scene.flat {
         drop(bar);
-        return scene::build(args, &input, &path, output);
+        return scene::build(args, &input, (&path, format), output);
     }
     let mesh = with_mesh_textures(input.mesh(output)?, args.textures.options().as_ref(), output)?;
     let source = input.file_name();
@@ -252,16 +253,30 @@ fn check_strip_flags(args: &BuildArgs, models: &[ModelKind]) -> Result<(), Failu
     }
 }
 
+/// Format of a file with all levels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::commands) enum BuildFormat {
+    Striata,
+    Glb,
+    Godot(GodotKind),
+}
+
 /// Returns the format that the name of the output requests.
 ///
 /// # Errors
 /// If the extension belongs to another format or to a compressed file.
-fn format_of_output(path: &Path) -> Result<Format, Failure> {
+fn format_of_output(path: &Path) -> Result<BuildFormat, Failure> {
     check_not_compressed(path, "files of `build`")?;
+    if let Some(kind) = GodotKind::from_extension(path) {
+        return Ok(BuildFormat::Godot(kind));
+    }
     match Format::from_extension(path) {
-        None | Some(Format::Striata) => Ok(Format::Striata),
-        Some(Format::Glb) => Ok(Format::Glb),
-        Some(_) => Err(Failure::usage(format!("{}: `build` writes .striata and .glb files", path.display()))
-            .with_hint("`striata simplify` writes one level as a mesh")),
+        None | Some(Format::Striata) => Ok(BuildFormat::Striata),
+        Some(Format::Glb) => Ok(BuildFormat::Glb),
+        Some(_) => {
+            let what = "`build` writes .striata and .glb files, and .tscn and .tres for Godot";
+            Err(Failure::usage(format!("{}: {what}", path.display()))
+                .with_hint("`striata simplify` writes one level as a mesh"))
+        }
     }
 }

@@ -1,5 +1,5 @@
-//! `build` for scenes: a `.striata` file with the document, its images, and the levels of every mesh, or a glTF file with
-//! its vertices in refinement order.
+//! `build` for scenes: a `.striata` file with the document, its images, and the levels of every mesh, a glTF file with its
+//! vertices in refinement order, or a file for Godot.
 
 use std::fmt::Display;
 use std::path::Path;
@@ -15,15 +15,16 @@ use striata_command::level::{CoarseningLimit, ReachedLevel, check_strict, shortf
 use striata_command::output::{
     Output, Table, format_bytes, format_count, format_duration, format_length, format_noun_count,
 };
-use striata_command::save::{DEFAULT_NAME_NOTE, display_name, write_bytes};
+use striata_command::save::{DEFAULT_NAME_NOTE, display_name, write_encoded};
 use striata_command::scene::{build_scene, check_scene_flags, edited, with_textures};
 use striata_command::sequence::{Limits, StepKind, limit_in_units};
-use striata_io::Format;
+use striata_io::OutputFiles;
 use striata_scene::LodScene;
 
 use super::clusters::{self, ClusterReport};
 use super::ordered::{OrderReport, model_flags, ordered_input};
 use crate::args::BuildArgs;
+use crate::commands::build::BuildFormat;
 
 /// Phases whose times are reported.
 const PHASES: [&str; 3] = ["read", "simplify", "write"];
@@ -61,11 +62,11 @@ struct SceneBuildReport {
 pub(in crate::commands) fn build(
     args: &BuildArgs,
     input: &Input,
-    path: &Path,
+    (path, format): (&Path, BuildFormat),
     output: &Output,
 ) -> Result<(), Failure> {
     check_scene_flags(input, &model_flags(args))?;
-    let is_ordered = Format::from_extension(path) == Some(Format::Glb);
+    let is_ordered = format != BuildFormat::Striata;
     let mut phases = Phases::new(&PHASES);
     let mut bar = output.bar();
     phases.enter("read");
@@ -96,15 +97,23 @@ pub(in crate::commands) fn build(
         .with_metadata("creator", concat!("striata ", env!("CARGO_PKG_VERSION")))
         .with_metadata("source", input.file_name());
     let failed = |error: &dyn Display| Failure::user(format!("{}: {error}", input.name));
-    let (bytes, order) = if is_ordered {
-        let range_count = args.ranges.map_or(0, |count| count as usize);
-        let glb = lods.to_ordered_glb(range_count).map_err(|error| failed(&error))?;
-        let order = OrderReport::new(&glb, &lods);
-        (glb.bytes, Some(order))
-    } else {
-        (lods.to_striata(&options).map_err(|error| failed(&error))?, None)
+    let plain = |bytes: Vec<u8>| OutputFiles::new(&[], None).finish(bytes);
+    let mut order = None;
+    let encoded = match format {
+        BuildFormat::Striata => plain(lods.to_striata(&options).map_err(|error| failed(&error))?),
+        BuildFormat::Glb => {
+            let range_count = args.ranges.map_or(0, |count| count as usize);
+            let glb = lods.to_ordered_glb(range_count).map_err(|error| failed(&error))?;
+            order = Some(OrderReport::new(&glb, &lods));
+            plain(glb.bytes)
+        }
+        BuildFormat::Godot(kind) => {
+            let level_count = args.ranges.map_or(usize::MAX, |count| count as usize);
+            let encoded = lods.to_godot(kind, level_count, Some(path));
+            encoded.map_err(|error| failed(&error).with_hint("use the extension .tscn, or add --flat"))?
+        }
     };
-    write_bytes(&bytes, path)?;
+    write_encoded(&encoded, path, output)?;
     phases.leave();
     drop(bar);
     let report = SceneBuildReport {
@@ -119,7 +128,7 @@ pub(in crate::commands) fn build(
         shortfall,
         georeference: scene.georeference().cloned(),
         image_bytes: scene.images().iter().map(|image| image.bytes.len()).sum(),
-        output_bytes: bytes.len(),
+        output_bytes: encoded.bytes.len(),
         order,
         secs: phases.total_secs(),
         phases,

@@ -11,6 +11,7 @@ use striata_io::{Format, Scene, losses, lost_group_names, shaded};
 use striata_scene::{LodScene, OrderedGlb};
 
 use crate::args::BuildArgs;
+use crate::commands::build::BuildFormat;
 
 /// Flags of models, with whether each is given.
 pub(super) fn model_flags(args: &BuildArgs) -> [(&'static str, bool); 4] {
@@ -31,17 +32,21 @@ pub(super) fn model_flags(args: &BuildArgs) -> [(&'static str, bool); 4] {
 pub(in crate::commands) fn check_order_flags(
     args: &BuildArgs,
     path: &Path,
-    format: Format,
+    format: BuildFormat,
     is_paged: bool,
 ) -> Result<(), Failure> {
     let name = path.display();
-    if format != Format::Glb {
-        let flags = [("--ranges", args.ranges), ("--clusters", args.clusters)];
-        return match flags.into_iter().find(|(_, value)| value.is_some()) {
-            None => Ok(()),
-            Some((flag, _)) => Err(Failure::usage(format!("{name}: {flag} is for .glb outputs"))
-                .with_hint(format!("use the extension .glb, or remove {flag}"))),
-        };
+    let is_striata = format == BuildFormat::Striata;
+    let for_others = [
+        ("--ranges", args.ranges.filter(|_| is_striata)),
+        ("--clusters", args.clusters.filter(|_| format != BuildFormat::Glb)),
+    ];
+    if let Some((flag, _)) = for_others.into_iter().find(|(_, value)| value.is_some()) {
+        return Err(Failure::usage(format!("{name}: {flag} is for .glb outputs"))
+            .with_hint(format!("use the extension .glb, or remove {flag}")));
+    }
+    if is_striata {
+        return Ok(());
     }
     if is_paged {
         return Err(Failure::usage(format!("{name}: a paged file is a .striata file"))
