@@ -44,7 +44,7 @@ fn corners(indices: &[u8], is_short: bool, vertices: &[u8]) -> BTreeSet<[[u32; 3
     triangles.iter().map(|&[a, b, c]| sorted([a, c, b].map(at))).collect()
 }
 
-/// The same triangle, with its smallest corner first.
+/// Turns a triangle so that its smallest corner is the first.
 fn sorted(triangle: [[u32; 3]; 3]) -> [[u32; 3]; 3] {
     let [a, b, c] = triangle;
     [[a, b, c], [b, c, a], [c, a, b]].into_iter().min().expect("three turns")

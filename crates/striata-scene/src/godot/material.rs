@@ -6,14 +6,14 @@ use std::fmt;
 use striata::mesh::ColorSpace;
 use striata_io::linear_to_srgb;
 
-use super::quoted;
+use super::text::quoted;
 use crate::drawn::{AlphaMode, Material, TextureUse, Wrap};
 
 /// A material: names of properties and their values.
 pub(super) struct MaterialText {
     properties: Vec<(&'static str, String)>,
     images: BTreeSet<usize>,
-    /// What Godot has no place for.
+    /// Properties of the material that Godot has no place for.
     pub remarks: Vec<String>,
 }
 
@@ -70,7 +70,7 @@ impl MaterialText {
         }
     }
 
-    /// What covers what, and whether there is light.
+    /// Transparency, back faces, and whether there is light.
     fn surface(&mut self, material: &Material) {
         match material.alpha_mode {
             AlphaMode::Opaque => {}

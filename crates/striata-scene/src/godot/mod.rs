@@ -15,6 +15,7 @@
 
 mod material;
 mod surface;
+mod text;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -25,12 +26,13 @@ use striata_io::{EncodedMesh, OutputFiles, Scene};
 
 use self::material::MaterialText;
 use self::surface::{is_written, surface_text};
+use self::text::{node_name, quoted};
 use crate::document::{entries, has_triangles};
 use crate::drawn::{Material, materials};
 use crate::lod_scene::LodScene;
 use crate::ordered::OrderedMesh;
 
-/// What a Godot file contains.
+/// Contents of a Godot file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GodotKind {
     /// A scene (`.tscn`).
@@ -226,26 +228,4 @@ impl<'s> FileText<'s> {
             let _ = writeln!(text, "mesh = SubResource(\"mesh_{}\")\n", instance.mesh);
         }
     }
-}
-
-/// A text in quotes.
-fn quoted(text: &str) -> String {
-    let mut out = String::from("\"");
-    for character in text.chars() {
-        match character {
-            '"' | '\\' => out.extend(['\\', character]),
-            '\n' | '\r' | '\t' | '\0' => out.push(' '),
-            other => out.push(other),
-        }
-    }
-    out.push('"');
-    out
-}
-
-/// A name without the characters that names of nodes cannot have.
-fn node_name(name: &str, default: &str) -> String {
-    let name: String =
-        name.chars().map(|c| if ".:@/\"%".contains(c) || c.is_control() { '_' } else { c }).collect();
-    let name = name.trim();
-    if name.is_empty() { default.to_owned() } else { name.to_owned() }
 }

@@ -63,7 +63,7 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     let input = Input::open(&args.input)?;
     if format != BuildFormat::Striata || input.scene_kind().is_some() && !args.scene.flat {
         drop(bar);
-        return scene::build(args, &input, (&path, format), output);
+        return scene::build(args, &input, &BuildFile { path: &path, format }, output);
     }
     let mesh = with_mesh_textures(input.mesh(output)?, args.textures.options().as_ref(), output)?;
     let source = input.file_name();
@@ -259,6 +259,12 @@ pub(in crate::commands) enum BuildFormat {
     Striata,
     Glb,
     Godot(GodotKind),
+}
+
+/// A file to write.
+pub(in crate::commands) struct BuildFile<'p> {
+    pub path: &'p Path,
+    pub format: BuildFormat,
 }
 
 /// Returns the format that the name of the output requests.

@@ -2,7 +2,6 @@
 //! vertices in refinement order, or a file for Godot.
 
 use std::fmt::Display;
-use std::path::Path;
 
 use serde::Serialize;
 use serde_json::Value;
@@ -24,7 +23,7 @@ use striata_scene::LodScene;
 use super::clusters::{self, ClusterReport};
 use super::ordered::{OrderReport, model_flags, ordered_input};
 use crate::args::BuildArgs;
-use crate::commands::build::BuildFormat;
+use crate::commands::build::{BuildFile, BuildFormat};
 
 /// Phases whose times are reported.
 const PHASES: [&str; 3] = ["read", "simplify", "write"];
@@ -62,9 +61,10 @@ struct SceneBuildReport {
 pub(in crate::commands) fn build(
     args: &BuildArgs,
     input: &Input,
-    (path, format): (&Path, BuildFormat),
+    file: &BuildFile<'_>,
     output: &Output,
 ) -> Result<(), Failure> {
+    let &BuildFile { path, format } = file;
     check_scene_flags(input, &model_flags(args))?;
     let is_ordered = format != BuildFormat::Striata;
     let mut phases = Phases::new(&PHASES);
