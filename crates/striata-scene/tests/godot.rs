@@ -89,9 +89,10 @@ fn every_level_is_that_of_its_error() {
 fn names_are_safe_and_instances_keep_their_places() {
     let torus = Scene::from_mesh(shapes::torus(12, 8, 1.0, 0.4)).expect("a scene");
     let mut parts = torus.into_parts();
+    let half = std::f64::consts::FRAC_1_SQRT_2;
     parts.document["nodes"] = json!([
         { "name": "a/b\"c", "mesh": 0, "translation": [1, 2, 3] },
-        { "name": "a/b\"c", "mesh": 0, "rotation": [0, 0, 0.70710678, 0.70710678] },
+        { "name": "a/b\"c", "mesh": 0, "rotation": [0, 0, half, half] },
     ]);
     parts.document["scenes"] = json!([{ "nodes": [0, 1] }]);
     parts.document["cameras"] = json!([{ "type": "perspective", "perspective": { "yfov": 1, "znear": 1 } }]);
