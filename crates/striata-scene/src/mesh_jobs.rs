@@ -68,7 +68,7 @@ pub(crate) fn for_each_size<T: Send, E: From<Cancelled> + Send>(
         answer
     };
     // Small items report nothing themselves.
-    let told = |number: usize, progress: &mut ProgressFn<'_>| -> Result<T, E> {
+    let jobs = |number: usize, progress: &mut ProgressFn<'_>| -> Result<T, E> {
         let at = |done: u64| Progress { phase: "simplify", done, total: 1 };
         at(0).report(progress)?;
         let made = job(order[number], progress)?;
@@ -77,7 +77,7 @@ pub(crate) fn for_each_size<T: Send, E: From<Cancelled> + Send>(
     };
     let mut made: Vec<Option<T>> = sizes.iter().map(|_| None).collect();
     let mut failure: Option<MeshFailure<E>> = None;
-    let results = run(order.len(), told, &mut report);
+    let results = run(order.len(), jobs, &mut report);
     if is_cancelled {
         // Jobs may have ended before they heard of it.
         return Err(MeshFailure { mesh: order.first().copied().unwrap_or(0), error: Cancelled.into() });

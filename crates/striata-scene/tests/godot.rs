@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use serde_json::json;
-use striata::mesh::{IndexedMesh, canonical_triangles, shapes};
+use striata::mesh::{AttributeLayer, IndexedMesh, Semantic, canonical_triangles, shapes};
 use striata::{LodOptions, Target};
 use striata_io::Scene;
 use striata_scene::LodScene;
@@ -95,6 +95,8 @@ fn names_are_safe_and_instances_keep_their_places() {
         { "name": "a/b\"c", "mesh": 0, "rotation": [0, 0, half, half] },
     ]);
     parts.document["scenes"] = json!([{ "nodes": [0, 1] }]);
+    parts.document["materials"] = json!([{ "name": "car", "extensions": { "KHR_materials_clearcoat": {} } }]);
+    parts.document["meshes"][0]["primitives"][0]["material"] = json!(0);
     parts.document["cameras"] = json!([{ "type": "perspective", "perspective": { "yfov": 1, "znear": 1 } }]);
     let scene = Scene::from_parts(parts).expect("a scene");
     let lods = LodScene::build(&scene, &LodOptions::default()).expect("levels");
@@ -111,6 +113,8 @@ fn names_are_safe_and_instances_keep_their_places() {
     assert_eq!(text.matches("type=\"ArrayMesh\"").count(), 1, "instances share a mesh");
     let warnings: Vec<String> = encoded.warnings.iter().map(ToString::to_string).collect();
     assert!(warnings.iter().any(|warning| warning.contains("cameras are left out")), "{warnings:?}");
+    let coat = "KHR_materials_clearcoat of material \"car\" is left out";
+    assert!(warnings.iter().any(|warning| warning.contains(coat)), "{warnings:?}");
     assert!(matches!(lods.to_godot(GodotKind::Mesh, 3, None), Err(GodotError::MeshCount(2))));
 }
 
@@ -162,4 +166,26 @@ fn materials_keep_their_colors_and_images_lie_next_to_the_file() {
         );
     }
     assert!(text.contains("\"material\": SubResource(\"material_0\")"));
+}
+
+#[test]
+fn colors_of_vertices_show_without_a_material_and_names_of_many_instances_differ() {
+    let mut mesh = shapes::torus(12, 8, 1.0, 0.4);
+    let colors = (0..3 * mesh.vertex_count()).map(|i| (i % 7) as f32 / 6.0).collect();
+    mesh.layers.push(AttributeLayer::from_f32(Semantic::Color(0), 3, colors));
+    let mut parts = Scene::from_mesh(mesh).expect("a scene").into_parts();
+    if let Some(primitive) = parts.document["meshes"][0]["primitives"][0].as_object_mut() {
+        primitive.remove("material");
+    }
+    let count = 30_000;
+    parts.document["nodes"] = (0..count).map(|_| json!({ "name": "Leaf", "mesh": 0 })).collect();
+    parts.document["scenes"] = json!([{ "nodes": (0..count).collect::<Vec<_>>() }]);
+    let lods = LodScene::build(&Scene::from_parts(parts).expect("a scene"), &LodOptions::default());
+    let text = text_of(&lods.expect("levels"), GodotKind::Scene, 2);
+    assert!(text.contains("id=\"material_default\"") && text.contains("vertex_color_use_as_albedo = true"));
+    assert!(text.contains("\"material\": SubResource(\"material_default\")"));
+    let names: BTreeSet<&str> =
+        text.split("[node name=\"").skip(2).filter_map(|rest| rest.split('"').next()).collect();
+    assert_eq!(names.len(), count);
+    assert!(names.contains("Leaf") && names.contains("Leaf30000"));
 }

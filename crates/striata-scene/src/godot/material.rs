@@ -53,6 +53,9 @@ impl MaterialText {
             if occlusion.is_some_and(|texture| texture.uv_set == 1) {
                 text.put("ao_on_uv2", "true".into());
             }
+            if material.occlusion_strength != 1.0 {
+                text.remarks.push(format!("the strength of the occlusion of material {name:?} is left out"));
+            }
         }
         text.emission(material, emissive);
         text.coordinates([base, rough, normal, occlusion, emissive], name);

@@ -26,7 +26,7 @@ use striata_io::{EncodedMesh, OutputFiles, Scene};
 
 use self::material::MaterialText;
 use self::surface::{is_written, surface_text};
-use self::text::{node_name, quoted};
+use self::text::{NodeNames, node_name, quoted};
 use crate::document::{entries, has_triangles};
 use crate::drawn::{Material, materials};
 use crate::lod_scene::LodScene;
@@ -77,10 +77,11 @@ impl LodScene {
         }
         let mut file = FileText::new(self.scene(), output);
         file.warn_of_document();
+        let shown: BTreeSet<usize> = self.scene().instances().iter().map(|instance| instance.mesh).collect();
         let meshes: BTreeMap<usize, OrderedMesh> = (0..)
             .zip(self.ordered(level_count.max(1)))
             .filter_map(|(index, mesh)| Some((index, mesh?)))
-            .filter(|(index, _)| self.scene().instances().iter().any(|instance| instance.mesh == *index))
+            .filter(|(index, _)| shown.contains(index))
             .collect();
         meshes.iter().for_each(|(&index, mesh)| file.use_materials(index, mesh));
         let surfaces = meshes.iter().map(|(&index, mesh)| (index, file.mesh(index, mesh))).collect();
@@ -94,8 +95,8 @@ struct FileText<'s> {
     materials: Vec<Material>,
     /// Name of the root.
     root: String,
-    /// Text of each material of the document that is used, by its index.
-    used: BTreeMap<usize, MaterialText>,
+    /// Text of each material that is used, by its index in the document; [`None`] for that of primitives without one.
+    used: BTreeMap<Option<usize>, MaterialText>,
     files: OutputFiles<'s>,
 }
 
@@ -140,14 +141,22 @@ impl<'s> FileText<'s> {
     /// Writes the materials of a mesh that have not been written.
     fn use_materials(&mut self, index: usize, mesh: &OrderedMesh) {
         let has_colors = mesh.mesh.layer(&Semantic::Color(0)).is_some();
-        for material in self.scene.primitive_materials(index).into_iter().flatten() {
-            let Some(source) = self.materials.get(material) else { continue };
+        for material in self.scene.primitive_materials(index) {
             let text = self.used.entry(material).or_insert_with(|| {
+                let source = material.and_then(|material| self.materials.get(material));
+                let source = source.cloned().unwrap_or_default();
                 let is_known = |image: usize| {
                     self.scene.images().get(image).is_some_and(|image| !image.bytes.is_empty())
                 };
-                let mut text = MaterialText::new(source, is_known);
+                let mut text = MaterialText::new(&source, is_known);
                 text.remarks.drain(..).for_each(|remark| self.files.warn(remark));
+                let extensions =
+                    material.and_then(|material| entries(self.scene.document(), "materials").get(material));
+                let extensions = extensions.and_then(|material| material["extensions"].as_object());
+                let lost = extensions.into_iter().flat_map(|all| all.keys()).filter(|name| !is_drawn(name));
+                lost.for_each(|name| {
+                    self.files.warn(format!("{name} of material {:?} is left out", source.name))
+                });
                 text
             });
             if has_colors {
@@ -165,9 +174,7 @@ impl<'s> FileText<'s> {
         let mut surfaces = Vec::new();
         for (primitive, material) in mesh.primitives.iter().zip(self.scene.primitive_materials(index)) {
             let Some(mut surface) = surface_text(&mesh.mesh, primitive) else { continue };
-            if let Some(material) = material.filter(|material| self.used.contains_key(material)) {
-                let _ = writeln!(surface, "\"material\": SubResource(\"material_{material}\"),");
-            }
+            let _ = writeln!(surface, "\"material\": SubResource(\"{}\"),", material_id(material));
             surfaces.push(format!("{{\n{surface}\"primitive\": 3,\n\"uv_scale\": Vector4(0, 0, 0, 0)\n}}"));
         }
         let name =
@@ -185,8 +192,9 @@ impl<'s> FileText<'s> {
             let path = quoted(&self.files.name_of(image).unwrap_or_default());
             let _ = writeln!(text, "[ext_resource type=\"Texture2D\" path={path} id=\"image_{image}\"]\n");
         }
-        for (material, contents) in &self.used {
-            let _ = writeln!(text, "[sub_resource type=\"StandardMaterial3D\" id=\"material_{material}\"]");
+        for (&material, contents) in &self.used {
+            let _ =
+                writeln!(text, "[sub_resource type=\"StandardMaterial3D\" id=\"{}\"]", material_id(material));
             let _ = writeln!(text, "{contents}");
         }
         for (index, surfaces) in meshes {
@@ -206,20 +214,14 @@ impl<'s> FileText<'s> {
     /// Writes a node for each instance.
     fn nodes(&self, text: &mut String, meshes: &BTreeMap<usize, String>) {
         let _ = writeln!(text, "[node name={} type=\"Node3D\"]\n", quoted(&self.root));
-        let mut names = BTreeSet::new();
+        let mut names = NodeNames::default();
         let nodes = entries(self.scene.document(), "nodes");
         for instance in self.scene.instances() {
             if !meshes.contains_key(&instance.mesh) {
                 continue;
             }
             let node = instance.node.and_then(|node| nodes.get(node)).and_then(|node| node["name"].as_str());
-            let base = node_name(node.unwrap_or(self.scene.mesh_name(instance.mesh)), "Mesh");
-            let mut name = base.clone();
-            let mut number = 1;
-            while !names.insert(name.clone()) {
-                number += 1;
-                name = format!("{base}{number}");
-            }
+            let name = names.unused(node_name(node.unwrap_or(self.scene.mesh_name(instance.mesh)), "Mesh"));
             let m = instance.transform;
             let rows = [m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10], m[12], m[13], m[14]];
             let rows = rows.map(|number| (number as f32).to_string()).join(", ");
@@ -228,4 +230,16 @@ impl<'s> FileText<'s> {
             let _ = writeln!(text, "mesh = SubResource(\"mesh_{}\")\n", instance.mesh);
         }
     }
+}
+
+/// Name of a material within the file.
+fn material_id(material: Option<usize>) -> String {
+    material.map_or_else(|| "material_default".to_owned(), |material| format!("material_{material}"))
+}
+
+/// Whether [`Material`] contains what an extension of a material says.
+fn is_drawn(extension: &str) -> bool {
+    let known =
+        ["KHR_materials_unlit", "KHR_materials_emissive_strength", "KHR_materials_pbrSpecularGlossiness"];
+    known.contains(&extension)
 }
