@@ -69,9 +69,15 @@ impl LevelWalk {
                 break;
             }
             let from = hint.triangle;
-            for &corner in &triangles[from as usize] {
+            let corners = triangles[from as usize];
+            for (done, &corner) in corners.iter().enumerate() {
                 for &neighbor in rings.of(corner).iter().take(MAX_RING) {
-                    let (other, shares) = nearest_of(triangles[neighbor as usize]);
+                    let others = triangles[neighbor as usize];
+                    if corners[..done].iter().any(|corner| others.contains(corner)) {
+                        // It has been compared at that corner, or is one of too many there.
+                        continue;
+                    }
+                    let (other, shares) = nearest_of(others);
                     if other < nearest {
                         nearest = other;
                         *hint = Hint { triangle: neighbor, shares };

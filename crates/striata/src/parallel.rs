@@ -22,3 +22,13 @@ pub(crate) fn for_each<T: Send>(items: &mut [T], change: impl Fn(&mut T) + Sync)
     #[cfg(not(feature = "parallel"))]
     items.iter_mut().for_each(change);
 }
+
+/// Results of two functions; on two threads if the feature `parallel` is enabled.
+pub(crate) fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
+    #[cfg(feature = "parallel")]
+    {
+        rayon::join(a, b)
+    }
+    #[cfg(not(feature = "parallel"))]
+    (a(), b())
+}

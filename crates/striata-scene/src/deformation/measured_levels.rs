@@ -5,7 +5,7 @@
 //! the surface, nor is the distance from the point of it that was nearest in the pose before. If it is no more
 //! than the largest distance so far, nothing else is computed, and in most poses no level needs a search tree.
 
-use striata::mesh::{IndexedMesh, RefinableMesh, TriangleTree};
+use striata::mesh::{RefinableMesh, TriangleTree};
 use striata::{Cancelled, Progress, ProgressFn};
 
 use super::pose_choice::PosedInstance;
@@ -58,7 +58,8 @@ pub(super) fn measured_levels(
         scale: posed.scale(),
         rank: 0.0,
     });
-    let mut meter = LevelMeter { refinable, posed: posed.collect(), walk: LevelWalk::default() };
+    let finer = refinable.mesh.triangles.clone();
+    let mut meter = LevelMeter { refinable, posed: posed.collect(), finer, walk: LevelWalk::default() };
     let is_small = meter.posed.len() * vertices <= SMALL_WORK;
     let ratio = if is_small { DENSE_LEVEL_RATIO } else { LEVEL_RATIO };
     let step_count = refinable.sequence.step_count();
@@ -76,17 +77,22 @@ pub(super) fn measured_levels(
 struct LevelMeter<'r> {
     refinable: &'r RefinableMesh,
     posed: Vec<PosedPositions>,
+    /// Triangles of the last level.
+    finer: Vec<[u32; 3]>,
     walk: LevelWalk,
 }
 
 impl LevelMeter<'_> {
     /// Returns the largest distance in any pose.
     fn measure(&mut self, split_count: usize) -> f64 {
-        let Self { refinable: RefinableMesh { mesh, sequence }, posed, walk } = self;
-        walk.move_to(&mesh.triangles, sequence, split_count);
+        let Self { refinable: RefinableMesh { sequence, .. }, posed, finer, walk } = self;
+        walk.move_to(finer, sequence, split_count);
+        finer.clone_from(&walk.triangles);
+        let mut tree = None;
         let mut worst = f64::from(sequence.error_at(split_count));
         for posed in posed.iter_mut() {
-            let distance = worst_distance(&posed.positions, walk, worst * posed.scale) / posed.scale;
+            let distance =
+                worst_distance(&posed.positions, walk, &mut tree, worst * posed.scale) / posed.scale;
             posed.rank = if distance > worst { distance } else { 0.0 };
             worst = worst.max(distance);
         }
@@ -96,18 +102,26 @@ impl LevelMeter<'_> {
     }
 }
 
-/// Returns the largest distance of a vertex from the triangles of a level; `enough` if it is less.
-fn worst_distance(positions: &[[f32; 3]], walk: &mut LevelWalk, enough: f64) -> f64 {
+/// Returns the largest distance of a vertex from the triangles of a level; `enough` if it is less. `tree` keeps the tree
+/// of the level's triangles from pose to pose.
+fn worst_distance(
+    positions: &[[f32; 3]],
+    walk: &mut LevelWalk,
+    tree: &mut Option<TriangleTree>,
+    enough: f64,
+) -> f64 {
     let mut worst = enough;
-    let mut tree = None;
+    let mut is_in_pose = false;
     for (vertex, position) in (0..).zip(positions) {
         let near = walk.nearest(positions, vertex, worst * worst);
         if near.is_some_and(|squared| squared <= worst * worst) {
             continue;
         }
-        // A pose with positions that are not finite has no surface.
-        let shown = || IndexedMesh::new(positions.to_vec(), walk.triangles.clone());
-        let Ok(tree) = tree.get_or_insert_with(|| TriangleTree::new(&shown())) else { break };
+        if !is_in_pose {
+            move_to_pose(tree, positions, &walk.triangles);
+            is_in_pose = true;
+        }
+        let Some(tree) = tree else { break };
         let point = position.map(f64::from);
         if point.iter().any(|x| !x.is_finite()) {
             continue;
@@ -121,4 +135,16 @@ fn worst_distance(positions: &[[f32; 3]], walk: &mut LevelWalk, enough: f64) -> 
         }
     }
     worst
+}
+
+/// Moves the tree of some triangles to a pose, or creates it. A pose with positions that are not finite has no tree.
+fn move_to_pose(tree: &mut Option<TriangleTree>, positions: &[[f32; 3]], triangles: &[[u32; 3]]) {
+    let corners = || triangles.iter().map(|triangle| triangle.map(|vertex| positions[vertex as usize]));
+    if !corners().flatten().flatten().all(f32::is_finite) {
+        *tree = None;
+    } else if let Some(tree) = tree {
+        tree.move_corners(corners());
+    } else {
+        *tree = Some(TriangleTree::of_triangles(corners().collect()));
+    }
 }

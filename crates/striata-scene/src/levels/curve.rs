@@ -33,7 +33,7 @@ const NONE: u32 = u32::MAX;
 /// Ratio of the steps of one measured level to those of the next finer one.
 const LEVEL_RATIO: f64 = 0.5;
 /// Number of vertices that are measured in a level, evenly spread over those that it lacks.
-const MAX_SAMPLES: usize = 1024;
+const MAX_SAMPLES: usize = 512;
 
 /// Attributes of a mesh as lengths: a difference counts like a distance.
 struct Lengths<'m> {

@@ -47,7 +47,7 @@ impl<'a> GroupSurface<'a> {
             t.iter().for_each(|&p| triangle_at[p as usize] = i);
         }
         let corners = triangles.iter().map(|t| t.map(|p| places[p as usize])).collect();
-        Self { triangles, places, tree: TriangleTree::from_corners(corners), triangle_at, error }
+        Self { triangles, places, tree: TriangleTree::of_triangles(corners), triangle_at, error }
     }
 
     /// Measures a removed vertex, and finds a position near it that is left. Returns that and the triangle nearest to it,

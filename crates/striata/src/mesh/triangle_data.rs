@@ -101,7 +101,7 @@ pub fn nearest_sources(full: &IndexedMesh, level: &IndexedMesh) -> Vec<u32> {
         if part.count == 0 || range.is_empty() {
             continue;
         }
-        let tree = TriangleTree::from_corners(range.clone().map(|t| corners(full, t)).collect());
+        let tree = TriangleTree::of_triangles(range.clone().map(|t| corners(full, t)).collect());
         for triangle in part.range() {
             sources[triangle] = (range.start + nearest_source(&tree, corners(level, triangle))) as u32;
         }

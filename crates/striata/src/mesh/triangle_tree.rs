@@ -7,7 +7,7 @@
 //! nothing is lost for coordinates around 1e7 or 1e-7. If a few triangles are very far from the others, the
 //! others span -1..1, because they would be a single point otherwise, and each query would compare all of them.
 //!
-//! Cost: O(n log n) to build, O(log n) expected per query near the surface; about 70 bytes per triangle.
+//! Cost: O(n log n) to build, O(log n) expected per query near the surface; about 80 bytes per triangle.
 
 use glam::{DVec3, Vec3A};
 
@@ -91,11 +91,11 @@ impl TriangleTree {
     /// [`MeshError`] if the mesh is inconsistent or a coordinate is not finite.
     pub fn new(mesh: &IndexedMesh) -> Result<Self, MeshError> {
         mesh.check()?;
-        Ok(Self::from_corners(mesh.triangles.iter().map(|t| t.map(|v| mesh.positions[v as usize])).collect()))
+        Ok(Self::of_triangles(mesh.triangles.iter().map(|t| t.map(|v| mesh.positions[v as usize])).collect()))
     }
 
-    /// Builds the tree of triangles with finite corners.
-    pub(crate) fn from_corners(corners: Vec<[[f32; 3]; 3]>) -> Self {
+    /// Builds the tree of triangles with these corners, which must be finite.
+    pub fn of_triangles(corners: Vec<[[f32; 3]; 3]>) -> Self {
         let points = || corners.iter().flatten().map(|&p| to_dvec3(p));
         let min = points().fold(DVec3::INFINITY, DVec3::min);
         let max = points().fold(DVec3::NEG_INFINITY, DVec3::max);
@@ -109,20 +109,21 @@ impl TriangleTree {
             let scale = bulk.max(half_extent / MAX_EXTENT).recip();
             tree = Self { center, scale, is_stretched: true, ..tree };
         }
-        tree.boxes = BoxTree::new(&tree.boxes_of_corners());
+        tree.boxes = BoxTree::new(tree.corners.len(), |index| tree.box_of(index));
         tree
     }
 
-    /// Follows triangles whose corners have moved a little; quicker than a new tree.
-    pub(crate) fn move_corners(&mut self, corners: impl Iterator<Item = [[f32; 3]; 3]>) {
+    /// Follows triangles whose corners have moved: quicker than a new tree, whose searches are quicker if triangles have
+    /// moved apart. `corners` must be finite, and as many as before.
+    ///
+    /// # Panics
+    /// If there are fewer of them.
+    pub fn move_corners(&mut self, corners: impl Iterator<Item = [[f32; 3]; 3]>) {
         self.corners.clear();
         self.corners.extend(corners);
-        let boxes = self.boxes_of_corners();
-        self.boxes.refit(&boxes);
-    }
-
-    fn boxes_of_corners(&self) -> Vec<AxisBox> {
-        self.corners.iter().map(|corners| self.box_of(corners)).collect()
+        let mut boxes = std::mem::take(&mut self.boxes);
+        boxes.refit(|index| self.box_of(index));
+        self.boxes = boxes;
     }
 
     /// Whether no point of `points`' convex hull is farther than `distance` from one triangle.
@@ -266,8 +267,9 @@ impl TriangleTree {
         });
     }
 
-    fn box_of(&self, corners: &[[f32; 3]; 3]) -> AxisBox {
-        let [a, b, c] = corners.map(|corner| ((to_dvec3(corner) - self.center) * self.scale).as_vec3a());
+    fn box_of(&self, triangle: u32) -> AxisBox {
+        let [a, b, c] = self.corners[triangle as usize]
+            .map(|corner| ((to_dvec3(corner) - self.center) * self.scale).as_vec3a());
         let (min, max) = (a.min(b).min(c), a.max(b).max(c));
         let margin = |corner: Vec3A| corner.abs().max(Vec3A::ONE) * BOX_MARGIN;
         AxisBox { min: min - margin(min), max: max + margin(max) }
@@ -402,7 +404,7 @@ mod tests {
                 })
                 .collect();
             corners.push([[far, 0.0, 0.0], [far, 1.0, 0.0], [far, 0.0, 0.5 * far]]);
-            let tree = TriangleTree::from_corners(corners.clone());
+            let tree = TriangleTree::of_triangles(corners.clone());
             assert!(tree.is_stretched, "{far}");
             let mut visited = 0;
             for scale in [1.0, 3.0, far, 1e30] {
@@ -429,7 +431,7 @@ mod tests {
             let (sine, cosine) = (i as f32 / count as f32 * std::f32::consts::FRAC_PI_2).sin_cos();
             [[0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [cosine, sine, 0.5]]
         };
-        let tree = TriangleTree::from_corners((0..count).map(blade).collect());
+        let tree = TriangleTree::of_triangles((0..count).map(blade).collect());
         let point = |i: usize| {
             let [_, _, [x, y, _]] = blade(i * 7919 % count);
             [x, y, 50.0].map(|x| f64::from(x) * 0.01)

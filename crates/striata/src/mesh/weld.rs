@@ -322,7 +322,7 @@ fn positions_of_sources(
 }
 
 /// The Z-order (Morton) curve over the bounds of a mesh.
-struct ZOrderCurve {
+pub(crate) struct ZOrderCurve {
     min: [f64; 3],
     scale: f64,
 }
@@ -331,7 +331,7 @@ impl ZOrderCurve {
     const BITS: u32 = 21;
 
     /// Fits the curve to the bounds of a mesh; `None` if it has no vertices.
-    fn of(mesh: &IndexedMesh) -> Option<Self> {
+    pub(crate) fn of(mesh: &IndexedMesh) -> Option<Self> {
         let bounds = mesh.bounds()?;
         let min = bounds.min.map(f64::from);
         let extent = (0..3).map(|a| f64::from(bounds.max[a]) - min[a]).fold(0.0, f64::max);
@@ -340,7 +340,7 @@ impl ZOrderCurve {
     }
 
     /// Returns the place of a point along the curve.
-    fn code(&self, p: [f32; 3]) -> u64 {
+    pub(crate) fn code(&self, p: [f32; 3]) -> u64 {
         let cell = |a: usize| spread_bits(((f64::from(p[a]) - self.min[a]) * self.scale) as u64);
         cell(0) | cell(1) << 1 | cell(2) << 2
     }

@@ -138,8 +138,8 @@ impl FaceTree {
             let [a, b, c] = corners.map(|v| Vec3A::from(face_tree.to_local(points[v as usize])));
             AxisBox { min: a.min(b).min(c), max: a.max(b).max(c) }
         };
-        let boxes: Vec<AxisBox> = fragments.faces().iter().map(|face| box_of(face.corners)).collect();
-        face_tree.tree = BoxTree::new(&boxes);
+        let faces = fragments.faces();
+        face_tree.tree = BoxTree::new(faces.len(), |face| box_of(faces[face as usize].corners));
         face_tree
     }
 

@@ -5,9 +5,10 @@
 //! for the triangles around it. A collapse adds to it how far its new edges stick out of the star that they
 //! replace, and the triangles themselves are measured only if the bound exceeds the largest error so far.
 
-use crate::mesh::Welded;
+use wide::f32x8;
 
-use super::fan::nearest;
+use crate::mesh::{PACKET, PointPacket, Welded, lane_max};
+
 use super::fan::point;
 use super::links::LinkEdge;
 use super::surface_snapshot::{SnapshotTriangle, SurfaceSnapshot};
@@ -16,10 +17,10 @@ use super::surface_snapshot::{SnapshotTriangle, SurfaceSnapshot};
 /// longer, and measured triangles are measured again later.
 const MEASURED_SHARE: f32 = 0.5;
 
-/// Barycentric coordinates of the sample points on each triangle.
-const SAMPLES: [[f32; 3]; 9] = [
+/// Barycentric coordinates of the sample points on each triangle, the first of which is the center of the fan. The other
+/// end of an edge of the fan is that of the next triangle.
+const SAMPLES: [[f32; 3]; PACKET] = [
     [0.5, 0.5, 0.0],
-    [0.5, 0.0, 0.5],
     [0.75, 0.25, 0.0],
     [0.25, 0.75, 0.0],
     [0.34, 0.33, 0.33],
@@ -73,33 +74,35 @@ impl OutwardBounds {
         worst: f32,
     ) -> f32 {
         let original = self.original.get_or_insert_with(|| snapshot_of(welded, positions));
-        // Samples next to each other are near the same triangle, and one that is near enough ends the search.
-        let mut near = None;
+        // Triangles next to each other are near the same one, and one that is near enough ends the search.
+        let mut near: Option<SnapshotTriangle> = None;
         let mut farthest = MEASURED_SHARE * MEASURED_SHARE * worst;
+        let corners_of = |triangle: &SnapshotTriangle| triangle.positions.map(|p| point(positions, p));
         for e in edges {
             let corners = [u, e.a, e.b].map(|p| point(positions, p));
-            for weights in SAMPLES {
-                let from = corners[0] * weights[0] + corners[1] * weights[1] + corners[2] * weights[2];
-                // Corners are vertices of the original, so the nearest corner bounds the distance.
-                let bound = corners.iter().map(|c| c.distance_squared(from)).fold(f32::INFINITY, f32::min);
-                if bound > farthest {
-                    let distance = |triangle: &SnapshotTriangle| {
-                        let [a, b, c] = triangle.positions.map(|p| point(positions, p) - from);
-                        let [x, y, z] = nearest(a, b, c);
-                        (a * x + b * y + c * z).length_squared()
-                    };
-                    let mut least = near.as_ref().map_or(bound, |near| bound.min(distance(near)));
-                    if least > farthest {
-                        original.visit_near(positions, from, least, |triangle| {
-                            let found = distance(triangle);
-                            if found < least {
-                                (least, near) = (found, Some(*triangle));
-                            }
-                            if least <= farthest { 0.0 } else { least }
-                        });
+            let samples =
+                PointPacket::new(SAMPLES.map(|[a, b, c]| corners[0] * a + corners[1] * b + corners[2] * c));
+            // Corners are vertices of the original, so the nearest corner bounds the distance.
+            let from_corners = corners.map(|corner| samples.squared_distances_from(corner));
+            let mut least = from_corners[0].fast_min(from_corners[1]).fast_min(from_corners[2]);
+            if lane_max(least) <= farthest {
+                continue;
+            }
+            if let Some(near) = &near {
+                least = least.fast_min(samples.squared_distances(corners_of(near)));
+            }
+            let enough = f32x8::splat(farthest);
+            let open = |least: f32x8| least.simd_gt(enough).bitselect(least, f32x8::ZERO);
+            if lane_max(least) > farthest {
+                original.visit_near_any(positions, samples, open(least), |triangle| {
+                    let found = samples.squared_distances(corners_of(triangle));
+                    if found.simd_lt(least).any() {
+                        near = Some(*triangle);
                     }
-                    farthest = farthest.max(least);
-                }
+                    least = least.fast_min(found);
+                    open(least)
+                });
+                farthest = farthest.max(lane_max(least));
             }
         }
         farthest.sqrt()

@@ -9,8 +9,9 @@
 use std::cell::RefCell;
 
 use glam::{Vec3, Vec3A};
+use wide::f32x8;
 
-use crate::mesh::{AxisBox, BoxTree};
+use crate::mesh::{AxisBox, BoxTree, PointPacket};
 
 use super::fan::nearest;
 use super::fan::point;
@@ -85,6 +86,20 @@ impl SurfaceSnapshot {
         let boxes = |t: u32| box_of(&self.triangles[t as usize], positions);
         let visit = |index: usize| visit(&self.triangles[index]);
         self.tree.borrow_mut().visit_near_and_split(&boxes, Vec3A::from(from), limit, visit);
+    }
+
+    /// Visits triangles whose boxes are closer to some point of a packet than its squared limit, near ones first;
+    /// `visit` returns the limits to use from then on.
+    pub(in crate::simplify) fn visit_near_any(
+        &self,
+        positions: &[[f32; 4]],
+        points: PointPacket,
+        limits: f32x8,
+        mut visit: impl FnMut(&SnapshotTriangle) -> f32x8,
+    ) {
+        let boxes = |t: u32| box_of(&self.triangles[t as usize], positions);
+        let visit = |index: usize| visit(&self.triangles[index]);
+        self.tree.borrow_mut().visit_near_any_and_split(&boxes, points, limits, visit);
     }
 
     /// Number of triangles in the tree.

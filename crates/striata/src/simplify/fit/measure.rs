@@ -11,12 +11,14 @@ use glam::DVec3;
 use super::pairs::Pair;
 use super::surface::FitSurface;
 use crate::mesh::TriangleTree;
+use crate::parallel;
 
 /// Maximum depth of recursive splits of a triangle.
 const MAX_CUTS: u32 = 5;
 /// Minimum number of points that may be measured.
 const MIN_BUDGET: usize = 20_000;
-
+/// Number of triangles that are measured by one thread.
+const CHUNK: usize = 1 << 13;
 /// Number of pairs, the farthest ones, that give a first estimate.
 const GUESSES: usize = 64;
 
@@ -32,8 +34,9 @@ impl FarthestPointSearch<'_> {
     /// Measures a point; returns whether everything within `radius` of it is no farther than the worst
     /// point so far.
     fn visit(&mut self, point: DVec3, radius: f64) -> bool {
-        let distance =
-            self.tree.distance_within(point.to_array(), (self.worst - radius).max(0.0), &mut self.hint);
+        // If the radius is too large to show that, the point itself must still not be farther.
+        let enough = if radius < self.worst { self.worst - radius } else { self.worst };
+        let distance = self.tree.distance_within(point.to_array(), enough, &mut self.hint);
         if distance.is_finite() {
             self.worst = self.worst.max(distance);
         }
@@ -67,24 +70,33 @@ impl FarthestPointSearch<'_> {
 /// Returns the largest distance from points of `from` to `to`, or `worst` if that is larger.
 /// `near` gives triangles of `to` near those of `from`, as far as they are known.
 fn one_sided_distance(from: &FitSurface, to: &FitSurface, near: &[u32], budget: usize, worst: f64) -> f64 {
-    let mut search = FarthestPointSearch { tree: &to.tree, hint: 0, worst };
-    let cuts = (budget / from.corners.len().max(1)).checked_ilog(4).unwrap_or(0).min(MAX_CUTS);
-    let mut is_measured = vec![false; from.vertex_count];
-    for ((&corners, triangle), &near) in from.corners.iter().zip(&from.triangles).zip(near) {
-        if near != u32::MAX {
-            search.hint = near as usize;
-        }
-        if search.is_covered(&corners) {
-            continue;
-        }
-        for (corner, &v) in corners.into_iter().zip(triangle) {
-            if !std::mem::replace(&mut is_measured[v as usize], true) {
-                search.visit(corner, 0.0);
-            }
-        }
-        search.visit_triangle(corners, cuts);
+    let count = from.corners.len();
+    let cuts = (budget / count.max(1)).checked_ilog(4).unwrap_or(0).min(MAX_CUTS);
+    // Each vertex is measured with the first triangle that has it.
+    let mut first_triangle = vec![u32::MAX; from.vertex_count];
+    for (index, triangle) in (0..).zip(&from.triangles) {
+        triangle.iter().for_each(|&v| first_triangle[v as usize] = first_triangle[v as usize].min(index));
     }
-    search.worst
+    let of_chunk = |chunk: usize| {
+        let mut search = FarthestPointSearch { tree: &to.tree, hint: 0, worst };
+        for (t, &near) in near.iter().enumerate().skip(chunk * CHUNK).take(CHUNK) {
+            if near != u32::MAX {
+                search.hint = near as usize;
+            }
+            let corners = from.corners[t];
+            if search.is_covered(&corners) {
+                continue;
+            }
+            for (corner, &v) in corners.into_iter().zip(&from.triangles[t]) {
+                if first_triangle[v as usize] as usize == t {
+                    search.visit(corner, 0.0);
+                }
+            }
+            search.visit_triangle(corners, cuts);
+        }
+        search.worst
+    };
+    parallel::map(0..count.div_ceil(CHUNK), of_chunk).into_iter().fold(worst, f64::max)
 }
 
 /// Returns the largest distance from points of either surface to the other, in mesh units, given pairs of points
@@ -110,8 +122,11 @@ pub(super) fn measured_error(original: &FitSurface, level: &FitSurface, pairs: &
         near_level[pair.level.triangle as usize] = pair.original.triangle;
         near_original[pair.original.triangle as usize] = pair.level.triangle;
     }
-    let outward = one_sided_distance(level, original, &near_level, budget, worst);
-    one_sided_distance(original, level, &near_original, budget, outward)
+    let (outward, inward) = parallel::join(
+        || one_sided_distance(level, original, &near_level, budget, worst),
+        || one_sided_distance(original, level, &near_original, budget, worst),
+    );
+    outward.max(inward)
 }
 
 #[cfg(test)]

@@ -27,7 +27,7 @@ use crate::simplify::options::{SequenceOptions, Simplified, SimplifyError};
 use crate::{Progress, ProgressFn, ignore_progress};
 use measure::measured_error;
 use pairs::Pairing;
-use positions::Constraints;
+use positions::{Constraints, LevelPositions};
 
 /// Number of times that vertices move.
 const MOVES: u64 = 2;
@@ -123,12 +123,13 @@ pub fn fit_level_with_progress(
     } else {
         original
     };
-    let mut pairing = Pairing::new(original, &fitted)?;
+    let mut places = LevelPositions::of(&fitted);
+    let mut pairing = Pairing::new(original, &fitted, &places.adjacency)?;
     let mut pairs = pairing.pairs(&fitted);
     let before = pairing.distances(&pairs);
     for done in 0..MOVES {
         report(done)?;
-        positions::move_vertices(&mut fitted, &pairs, &constraints);
+        positions::move_vertices(&mut fitted, &mut places, &pairs, &constraints);
         pairs = pairing.pairs(&fitted);
     }
     report(MOVES)?;

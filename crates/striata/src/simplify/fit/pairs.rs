@@ -10,11 +10,14 @@ use glam::DVec3;
 use super::surface::{FitPoint, FitSurface, share_along};
 use crate::mesh::{
     Adjacency, AttributeLayer, Edge, IndexedMesh, MeshError, Semantic, TriangleSearch, TriangleTree,
-    index_positions,
+    ZOrderCurve, index_positions,
 };
+use crate::parallel;
 
 /// Samples of the original for each triangle of the level.
-const SAMPLES: f64 = 6.0;
+const SAMPLES: f64 = 4.0;
+/// Number of samples whose partners are found by one thread, each beginning where the last one ended.
+const CHUNK: usize = 1 << 12;
 /// Points of a triangle of the level, each for a third of its area.
 const POINTS: [[f64; 3]; 3] =
     [[2.0 / 3.0, 1.0 / 6.0, 1.0 / 6.0], [1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0], [1.0 / 6.0, 1.0 / 6.0, 2.0 / 3.0]];
@@ -91,30 +94,35 @@ impl FitDistances {
     }
 }
 
-/// A sample of one surface, and the triangle of the other that it was last paired with.
+/// A sample of one surface, and the point of the other that it was last paired with.
 struct PairedSample {
     point: FitPoint,
     area: f64,
-    last: Option<u32>,
+    partner: Option<FitPoint>,
 }
 
 impl PairedSample {
     fn new(triangle: usize, shares: [f64; 3], area: f64) -> Self {
-        Self { point: FitPoint { triangle: triangle as u32, shares }, area, last: None }
+        Self { point: FitPoint { triangle: triangle as u32, shares }, area, partner: None }
     }
 
     /// Finds the partner on the other surface.
-    fn partner(
-        &mut self,
-        own: &FitSurface,
-        other: &FitSurface,
-        search: &mut TriangleSearch,
-    ) -> Option<FitPoint> {
+    fn find(&mut self, own: &FitSurface, other: &FitSurface, search: &mut TriangleSearch) {
         let normal = own.normals[self.point.triangle as usize];
-        let found = other.nearest(own.at(self.point), normal, search, self.last);
-        self.last = found.map(|point| point.triangle);
-        found
+        self.partner = other.nearest(own.at(self.point), normal, search, self.partner);
     }
+}
+
+/// Runs a function for many samples, with a search that continues from sample to sample.
+fn for_each_sample(
+    samples: &mut [PairedSample],
+    find: impl Fn(&mut PairedSample, &mut TriangleSearch) + Sync,
+) {
+    let mut chunks: Vec<&mut [PairedSample]> = samples.chunks_mut(CHUNK).collect();
+    parallel::for_each(&mut chunks, |chunk| {
+        let mut search = TriangleSearch::new();
+        chunk.iter_mut().for_each(|sample| find(sample, &mut search));
+    });
 }
 
 /// Finds the pairs of a level while its vertices move.
@@ -132,14 +140,25 @@ pub(super) struct Pairing {
 impl Pairing {
     /// # Errors
     /// [`MeshError`] if a mesh is inconsistent.
-    pub(super) fn new(original: &IndexedMesh, level: &IndexedMesh) -> Result<Self, MeshError> {
-        let borders = Borders::new(original, &border_sides(original));
-        let level_borders = Borders::new(level, &border_sides(level));
-        let original = FitSurface::new(original)?;
+    pub(super) fn new(
+        original: &IndexedMesh,
+        level: &IndexedMesh,
+        adjacency: &Adjacency,
+    ) -> Result<Self, MeshError> {
+        let of_level = || -> Result<_, MeshError> {
+            let surface = FitSurface::new(level)?.with_neighbors(adjacency);
+            Ok((surface, Borders::new(level, &border_sides(level, adjacency))))
+        };
+        let borders = || {
+            let adjacency = adjacency_of(original);
+            (Borders::new(original, &border_sides(original, &adjacency)), of_level())
+        };
+        let (surface, (borders, level_parts)) = parallel::join(|| FitSurface::new(original), borders);
+        let (surface, (level_surface, level_borders)) = (surface?, level_parts?);
         let samples = SAMPLES * level.triangle_count() as f64;
-        let stride = (original.normals.len() as f64 / samples).max(1.0);
+        let stride = (surface.normals.len() as f64 / samples).max(1.0);
         let (mut of_original, mut area, mut next) = (Vec::new(), 0.0, 0.5 * (stride - 1.0));
-        for (t, normal) in original.normals.iter().enumerate() {
+        for (t, normal) in surface.normals.iter().enumerate() {
             area += 0.5 * normal.length();
             if t as f64 >= next {
                 next += stride;
@@ -148,15 +167,26 @@ impl Pairing {
         }
         let of_level =
             (0..level.triangle_count()).flat_map(|t| POINTS.map(|shares| PairedSample::new(t, shares, 0.0)));
-        let level = FitSurface::new(level)?;
+        let mut of_level: Vec<PairedSample> = of_level.collect();
+        if let Some(curve) = ZOrderCurve::of(original) {
+            // So that neighbors follow each other, whatever the order of the triangles.
+            let sort = |samples: &mut [PairedSample], surface: &FitSurface| {
+                let place = |sample: &PairedSample| {
+                    let [first, ..] = surface.corners[sample.point.triangle as usize];
+                    (curve.code(first.as_vec3().to_array()), sample.point.triangle)
+                };
+                samples.sort_by_cached_key(place);
+            };
+            parallel::join(|| sort(&mut of_original, &surface), || sort(&mut of_level, &level_surface));
+        }
         Ok(Self {
-            original,
-            level,
+            original: surface,
+            level: level_surface,
             borders,
             level_borders,
             border_hints: Default::default(),
             of_original,
-            of_level: of_level.collect(),
+            of_level,
         })
     }
 
@@ -177,29 +207,34 @@ impl Pairing {
 
     /// Finds the pairs of the level that this was made for, whose vertices may have moved.
     pub(super) fn pairs(&mut self, level: &IndexedMesh) -> FitPairs {
-        self.level.move_vertices(&level.positions);
-        let surface = &self.level;
+        let has_moved = self.level.move_vertices(&level.positions);
+        let (original, surface) = (&self.original, &self.level);
+        for_each_sample(&mut self.of_original, |sample, search| {
+            if sample.partner.is_none_or(|partner| has_moved[partner.triangle as usize]) {
+                sample.find(original, surface, search);
+            }
+        });
         let mut of_surfaces = Vec::with_capacity(self.of_original.len() + self.of_level.len());
-        // Searches begin where those of neighbors ended, whatever the order of the triangles.
-        let mut near_vertices = vec![u32::MAX; self.original.vertex_count];
         let mut near_triangles = vec![u32::MAX; level.triangle_count()];
-        let mut search = TriangleSearch::new();
-        for sample in &mut self.of_original {
-            let corners = self.original.triangles[sample.point.triangle as usize];
-            let known = corners.iter().map(|&v| near_vertices[v as usize]).find(|&near| near != u32::MAX);
-            search.triangle = known.map_or(usize::MAX, |near| near as usize);
-            let Some(found) = sample.partner(&self.original, surface, &mut search) else { continue };
-            corners.iter().for_each(|&v| near_vertices[v as usize] = found.triangle);
+        for sample in &self.of_original {
+            let Some(found) = sample.partner else { continue };
             near_triangles[found.triangle as usize] = sample.point.triangle;
-            let target = self.original.at(sample.point);
+            let target = original.at(sample.point);
             of_surfaces.push(Pair { level: found, original: sample.point, target, area: sample.area });
         }
-        for sample in &mut self.of_level {
-            search.triangle = near_triangles[sample.point.triangle as usize] as usize;
-            let Some(found) = sample.partner(surface, &self.original, &mut search) else { continue };
-            near_triangles[sample.point.triangle as usize] = found.triangle;
+        for_each_sample(&mut self.of_level, |sample, search| {
+            let own = sample.point.triangle as usize;
+            if sample.partner.is_none() || has_moved[own] {
+                if near_triangles[own] != u32::MAX {
+                    search.triangle = near_triangles[own] as usize;
+                }
+                sample.find(surface, original, search);
+            }
+        });
+        for sample in &self.of_level {
+            let Some(found) = sample.partner else { continue };
             let area = surface.normals[sample.point.triangle as usize].length() / (2 * POINTS.len()) as f64;
-            let target = self.original.at(found);
+            let target = original.at(found);
             of_surfaces.push(Pair { level: sample.point, original: found, target, area });
         }
         self.level_borders.move_vertices(level);
@@ -253,11 +288,17 @@ impl OpenEdge {
     }
 }
 
-/// Sides of triangles at which the surface ends, or at which texture coordinates or materials change.
-fn border_sides(mesh: &IndexedMesh) -> Vec<u32> {
+/// The adjacency of a mesh by position.
+fn adjacency_of(mesh: &IndexedMesh) -> Adjacency {
     let position_of = index_positions(&mesh.positions);
     let triangles = mesh.triangles.iter().map(|t| t.map(|v| position_of[v as usize])).collect();
-    let adjacency = Adjacency::of_triangles(triangles, position_of.len());
+    Adjacency::of_triangles(triangles, position_of.len())
+}
+
+/// Sides of triangles at which the surface ends, or at which texture coordinates or materials change.
+fn border_sides(mesh: &IndexedMesh, adjacency: &Adjacency) -> Vec<u32> {
+    let position_at =
+        |side: u32, next: usize| adjacency.triangles()[side as usize / 3][(side as usize + next) % 3];
     let materials = materials_of(mesh);
     let is_texcoord = |layer: &&AttributeLayer| matches!(layer.semantic, Semantic::TexCoord(_));
     let texcoords: Vec<&AttributeLayer> = mesh.layers.iter().filter(is_texcoord).collect();
@@ -271,13 +312,12 @@ fn border_sides(mesh: &IndexedMesh) -> Vec<u32> {
     };
     let is_seam = |edge: &Edge<'_>| {
         let [one, other] = *edge.sides().collect::<Vec<u32>>() else { return false };
-        let is_opposite =
-            position_of[vertex_at(one, 0) as usize] == position_of[vertex_at(other, 1) as usize];
+        let is_opposite = position_at(one, 0) == position_at(other, 1);
         let ends = if is_opposite { [1, 0] } else { [0, 1] };
         materials[one as usize / 3] != materials[other as usize / 3]
             || (0..2).any(|end| !is_same(vertex_at(one, end), vertex_at(other, ends[end])))
     };
-    let borders = adjacency.edges().filter(|edge| is_boundary(&adjacency, edge) || is_seam(edge));
+    let borders = adjacency.edges().filter(|edge| is_boundary(adjacency, edge) || is_seam(edge));
     borders.flat_map(|edge| edge.sides().collect::<Vec<_>>()).collect()
 }
 
@@ -298,7 +338,7 @@ impl Borders {
             corner: side as usize % 3,
         };
         let edges: Vec<OpenEdge> = sides.iter().map(edge).collect();
-        let tree = TriangleTree::from_corners(edges.iter().map(OpenEdge::as_triangle).collect());
+        let tree = TriangleTree::of_triangles(edges.iter().map(OpenEdge::as_triangle).collect());
         Self { edges, tree }
     }
 

@@ -78,24 +78,26 @@ impl TriangleTerms {
 }
 
 /// The positions of a level and the triangles between them.
-struct LevelPositions {
+pub(super) struct LevelPositions {
     position_of: Vec<u32>,
     places: Vec<DVec3>,
-    adjacency: Adjacency,
+    pub adjacency: Adjacency,
 }
 
 impl LevelPositions {
-    fn of(level: &IndexedMesh) -> Self {
+    pub(super) fn of(level: &IndexedMesh) -> Self {
         let position_of = index_positions(&level.positions);
-        let mut places = Vec::new();
-        for (v, &p) in position_of.iter().enumerate() {
-            if p as usize == places.len() {
-                places.push(DVec3::from(level.positions[v].map(f64::from)));
-            }
-        }
+        let position_count = position_of.iter().max().map_or(0, |&p| p as usize + 1);
         let corners = level.triangles.iter().map(|t| t.map(|v| position_of[v as usize]));
-        let adjacency = Adjacency::of_triangles(corners.collect(), places.len());
-        Self { position_of, places, adjacency }
+        let adjacency = Adjacency::of_triangles(corners.collect(), position_count);
+        Self { position_of, places: vec![DVec3::ZERO; position_count], adjacency }
+    }
+
+    /// Follows vertices that have moved: those at the same position together.
+    fn follow(&mut self, positions: &[[f32; 3]]) {
+        for (&p, position) in self.position_of.iter().zip(positions) {
+            self.places[p as usize] = DVec3::from(position.map(f64::from));
+        }
     }
 
     fn corners_at(&self, p: usize) -> impl Iterator<Item = (usize, usize)> + '_ {
@@ -155,11 +157,16 @@ impl LevelPositions {
 }
 
 /// Moves the vertices so that the summed squared distance of all pairs along normals is least.
-pub(super) fn move_vertices(level: &mut IndexedMesh, pairs: &FitPairs, constraints: &Constraints) {
-    let places = LevelPositions::of(level);
-    let terms = terms_of(&places, pairs);
+pub(super) fn move_vertices(
+    level: &mut IndexedMesh,
+    places: &mut LevelPositions,
+    pairs: &FitPairs,
+    constraints: &Constraints,
+) {
+    places.follow(&level.positions);
+    let terms = terms_of(places, pairs);
     let is_fixed = places.fixed(level, constraints);
-    let mut moves = solve(&places, terms, &is_fixed, constraints.is_height_field);
+    let mut moves = solve(places, terms, &is_fixed, constraints.is_height_field);
     places.keep_triangles(&mut moves);
     for (position, &p) in level.positions.iter_mut().zip(&places.position_of) {
         if moves[p as usize] != DVec3::ZERO {

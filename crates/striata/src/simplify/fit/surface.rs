@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::mesh::{IndexedMesh, MeshError, TriangleSearch, TriangleTree};
+use crate::mesh::{Adjacency, IndexedMesh, MeshError, TriangleSearch, TriangleTree};
 
 /// Cosine between the normals of two triangles above which they face the same side.
 const SAME_SIDE: f64 = 0.2;
@@ -10,6 +10,9 @@ const SAME_SIDE: f64 = 0.2;
 /// with a share of the diagonal added.
 const REACH: f64 = 3.0;
 const REACH_SHARE: f64 = 0.005;
+/// Largest number of steps from a triangle to a neighbor, after a small move.
+const MAX_STEPS: usize = 8;
+const NONE: u32 = u32::MAX;
 
 /// A point of a triangle, by the shares of its corners.
 #[derive(Clone, Copy, Debug)]
@@ -27,6 +30,8 @@ pub(super) struct FitSurface {
     /// Normals of the triangles, as long as twice their area.
     pub normals: Vec<DVec3>,
     reach: f64,
+    /// For each side of each triangle, the triangle across it or [`NONE`]; empty if searches do not need it.
+    neighbors: Vec<[u32; 3]>,
 }
 
 impl FitSurface {
@@ -38,19 +43,37 @@ impl FitSurface {
         let normals = corners.iter().map(doubled_normal).collect();
         let tree = TriangleTree::new(mesh)?;
         let (triangles, vertex_count) = (mesh.triangles.clone(), mesh.vertex_count());
-        Ok(Self { tree, corners, triangles, vertex_count, normals, reach: REACH_SHARE * mesh.diagonal() })
+        let (reach, neighbors) = (REACH_SHARE * mesh.diagonal(), Vec::new());
+        Ok(Self { tree, corners, triangles, vertex_count, normals, reach, neighbors })
     }
 
-    /// Follows vertices that have moved a little.
-    pub(super) fn move_vertices(&mut self, positions: &[[f32; 3]]) {
-        let at = |v: u32| DVec3::from(positions[v as usize].map(f64::from));
-        for ((corners, normal), triangle) in
-            self.corners.iter_mut().zip(&mut self.normals).zip(&self.triangles)
-        {
-            *corners = triangle.map(at);
-            *normal = doubled_normal(corners);
+    /// Lets searches after small moves walk from triangle to triangle.
+    pub(super) fn with_neighbors(mut self, adjacency: &Adjacency) -> Self {
+        self.neighbors = vec![[NONE; 3]; self.triangles.len()];
+        for edge in adjacency.edges().filter(|edge| edge.side_count() == 2) {
+            let mut sides = edge.sides();
+            if let (Some(a), Some(b)) = (sides.next(), sides.next()) {
+                self.neighbors[a as usize / 3][a as usize % 3] = b / 3;
+                self.neighbors[b as usize / 3][b as usize % 3] = a / 3;
+            }
         }
-        self.tree.move_corners(self.triangles.iter().map(|t| t.map(|v| positions[v as usize])));
+        self
+    }
+
+    /// Follows vertices that have moved a little; returns which triangles have.
+    pub(super) fn move_vertices(&mut self, positions: &[[f32; 3]]) -> Vec<bool> {
+        let mut has_moved = vec![false; self.triangles.len()];
+        let at = |v: u32| DVec3::from(positions[v as usize].map(f64::from));
+        for (t, triangle) in self.triangles.iter().enumerate() {
+            let corners = triangle.map(at);
+            has_moved[t] = corners != self.corners[t];
+            self.corners[t] = corners;
+            self.normals[t] = doubled_normal(&corners);
+        }
+        if has_moved.contains(&true) {
+            self.tree.move_corners(self.triangles.iter().map(|t| t.map(|v| positions[v as usize])));
+        }
+        has_moved
     }
 
     pub(super) fn at(&self, point: FitPoint) -> DVec3 {
@@ -59,44 +82,73 @@ impl FitSurface {
         u * a + v * b + w * c
     }
 
+    fn on(&self, triangle: u32, point: DVec3) -> FitPoint {
+        FitPoint { triangle, shares: nearest_shares(point, self.corners[triangle as usize]) }
+    }
+
+    /// Whether a triangle faces the same side as `normal`.
+    fn faces_side(&self, triangle: usize, normal: DVec3) -> bool {
+        let other = self.normals[triangle];
+        normal.dot(other) > SAME_SIDE * (normal.length_squared() * other.length_squared()).sqrt()
+    }
+
+    /// Walks from a triangle to nearer neighbors that face the same side as `normal`.
+    fn walk(&self, point: DVec3, normal: DVec3, start: FitPoint) -> FitPoint {
+        let away = |found: FitPoint| self.at(found).distance_squared(point);
+        let (mut found, mut least) = (start, away(start));
+        for _ in 0..MAX_STEPS {
+            let from = found;
+            // Only across a side on which the nearest point lies can another triangle be nearer.
+            for corner in (0..3).filter(|&corner| from.shares[corner] == 0.0) {
+                let neighbor = self.neighbors[from.triangle as usize][(corner + 1) % 3];
+                if neighbor != NONE && self.faces_side(neighbor as usize, normal) {
+                    let candidate = self.on(neighbor, point);
+                    let distance = away(candidate);
+                    if distance < least {
+                        (found, least) = (candidate, distance);
+                    }
+                }
+            }
+            if found.triangle == from.triangle {
+                break;
+            }
+        }
+        found
+    }
+
     /// Finds the nearest point on a triangle that faces the same side as `normal`; `None` if there is none
-    /// within reach. `last` is the triangle that was found when neither surface had moved yet.
+    /// within reach. `last` is the point that was found before the surfaces moved a little.
     pub(super) fn nearest(
         &self,
         point: DVec3,
         normal: DVec3,
         search: &mut TriangleSearch,
-        last: Option<u32>,
+        last: Option<FitPoint>,
     ) -> Option<FitPoint> {
-        let on = |triangle: usize| FitPoint {
-            triangle: triangle as u32,
-            shares: nearest_shares(point, self.corners[triangle]),
-        };
         if let Some(last) = last {
-            let found = on(last as usize);
+            let found = self.on(last.triangle, point);
             // Above the inside of a triangle, no neighbor is nearer after a small move.
             if found.shares.iter().all(|&share| share > 0.0) {
                 return Some(found);
             }
-            search.triangle = last as usize;
+            if !self.neighbors.is_empty() {
+                return Some(self.walk(point, normal, found));
+            }
+            search.triangle = last.triangle as usize;
         }
-        let faces_side = |triangle: usize| {
-            let other = self.normals[triangle];
-            normal.dot(other) > SAME_SIDE * (normal.length_squared() * other.length_squared()).sqrt()
-        };
         let distance = self.tree.searched_distance(point.to_array(), search);
         let mut found = search.triangle;
-        if found < self.corners.len() && !faces_side(found) {
+        if found < self.corners.len() && !self.faces_side(found, normal) {
             let mut least = REACH * distance + self.reach;
             found = usize::MAX;
             self.tree.visit_searched(point.to_array(), least, search, |candidate, away| {
-                if away < least && faces_side(candidate) {
+                if away < least && self.faces_side(candidate, normal) {
                     (found, least) = (candidate, away);
                 }
                 least
             });
         }
-        (found < self.corners.len()).then(|| on(found))
+        (found < self.corners.len()).then(|| self.on(found as u32, point))
     }
 }
 
