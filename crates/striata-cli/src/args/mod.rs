@@ -4,6 +4,7 @@ mod paged;
 mod render;
 mod stream;
 mod strips;
+mod threads;
 mod tiles;
 
 use std::path::{Path, PathBuf};
@@ -25,6 +26,7 @@ pub(crate) use self::paged::{ByteSize, CellArgs, PagedArgs, PlanArgs, RunArgs};
 pub(crate) use self::render::{DrawnModel, PictureBackground, RenderArgs};
 pub(crate) use self::stream::{DecodeArgs, EncodeArgs};
 pub(crate) use self::strips::StripArgs;
+use self::threads::ThreadArgs;
 pub(crate) use self::tiles::{PageBuildArgs, TilesArgs, TilesFormat, UpAxis};
 
 /// The complete command line.
@@ -84,6 +86,24 @@ impl Verb {
             Self::Tiles(args) => Some(&args.output),
             _ => None,
         }
+    }
+
+    /// Returns the number of threads that the user allows.
+    pub(crate) fn thread_count(&self) -> Option<usize> {
+        let args = match self {
+            Self::Build(args) => args.threads,
+            Self::Plan(args) => args.threads,
+            Self::Run(args) => args.threads,
+            Self::Extract(args) => args.threads,
+            Self::Simplify(args) => args.threads,
+            Self::Strip(args) => args.threads,
+            Self::Distance(args) => args.threads,
+            Self::Encode(args) => args.threads,
+            Self::Decode(args) => args.threads,
+            Self::Tiles(args) => args.threads,
+            _ => return None,
+        };
+        args.count()
     }
 
     /// Whether the output may replace an input.
@@ -254,6 +274,12 @@ pub(crate) struct BuildArgs {
     /// How a mesh is built that does not fit into memory.
     #[command(flatten)]
     pub paged: PagedArgs,
+    /// Show the seconds and the CPU seconds of each stage
+    #[arg(long, help_heading = None, display_order = threads::ORDER - 1)]
+    pub timings: bool,
+    /// Number of threads.
+    #[command(flatten)]
+    pub threads: ThreadArgs,
 }
 
 /// Arguments of `info`.
@@ -324,6 +350,9 @@ pub(crate) struct ExtractArgs {
     /// How textures are re-encoded.
     #[command(flatten)]
     pub textures: TextureArgs,
+    /// Number of threads.
+    #[command(flatten)]
+    pub threads: ThreadArgs,
 }
 
 /// Arguments of `simplify`.
@@ -377,6 +406,9 @@ pub(crate) struct SimplifyArgs {
     /// How a raster is read.
     #[command(flatten)]
     pub raster: RasterArgs,
+    /// Number of threads.
+    #[command(flatten)]
+    pub threads: ThreadArgs,
 }
 
 /// Arguments of `distance`.
@@ -395,6 +427,9 @@ pub(crate) struct DistanceArgs {
     /// Random seed of the sample points [default: 0]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub seed: Option<u64>,
+    /// Number of threads.
+    #[command(flatten)]
+    pub threads: ThreadArgs,
 }
 
 /// Arguments of `convert`.

@@ -7,6 +7,7 @@ use clap::Args;
 use striata_command::args::Length;
 
 use super::BaseArgs;
+use super::threads::ThreadArgs;
 
 /// Help heading of these flags.
 const PAGED: &str = "Paged files, for meshes larger than memory";
@@ -20,9 +21,6 @@ pub(crate) struct PagedArgs {
     /// Build a paged file within so much memory: 4GB, 500MB
     #[arg(long, value_name = "SIZE", help_heading = PAGED)]
     pub memory: Option<ByteSize>,
-    /// Threads that run tasks [default: one per core, as far as memory allows]
-    #[arg(long, value_name = "N", help_heading = PAGED)]
-    pub threads: Option<usize>,
     /// Folder for what tasks pass to each other [default: the output with .work appended]
     #[arg(long, value_name = "DIR", help_heading = PAGED)]
     pub work: Option<PathBuf>,
@@ -102,9 +100,9 @@ pub(crate) struct PlanArgs {
     /// Folder for the plan and for what tasks pass to each other [default: the output with .work appended]
     #[arg(long, value_name = "DIR")]
     pub work: Option<PathBuf>,
-    /// Threads that read the input [default: one per core]
-    #[arg(long, value_name = "N")]
-    pub threads: Option<usize>,
+    /// Number of threads.
+    #[command(flatten)]
+    pub threads: ThreadArgs,
     /// Simulate the build on these numbers of workers, each with one core
     #[arg(long, value_name = "N,...", value_delimiter = ',', default_values_t = [1usize, 16, 256])]
     pub workers: Vec<usize>,
@@ -127,9 +125,9 @@ pub(crate) struct RunArgs {
     /// Run only this task [default: all that have not been run]
     #[arg(long, value_name = "N")]
     pub task: Option<usize>,
-    /// Threads that run tasks [default: one per core]
-    #[arg(long, value_name = "N")]
-    pub threads: Option<usize>,
+    /// Number of threads.
+    #[command(flatten)]
+    pub threads: ThreadArgs,
 }
 
 /// A number of bytes, written with a unit.

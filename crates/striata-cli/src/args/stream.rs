@@ -7,6 +7,8 @@ use striata_command::args::{
     EditArgs, FlatArgs, OptionalLevel, OutputArgs, RasterArgs, SequenceArgs, StreamArgs, TextureArgs,
 };
 
+use super::threads::ThreadArgs;
+
 /// Arguments of `encode`.
 #[derive(Debug, Args)]
 #[command(
@@ -63,6 +65,9 @@ pub(crate) struct EncodeArgs {
     /// How a raster is read.
     #[command(flatten)]
     pub raster: RasterArgs,
+    /// Number of threads.
+    #[command(flatten)]
+    pub threads: ThreadArgs,
 }
 
 impl EncodeArgs {
@@ -89,4 +94,7 @@ pub(crate) struct DecodeArgs {
     /// The output file.
     #[command(flatten)]
     pub output: OutputArgs,
+    /// Number of threads.
+    #[command(flatten)]
+    pub threads: ThreadArgs,
 }

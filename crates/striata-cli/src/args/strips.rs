@@ -8,6 +8,8 @@ use striata_command::failure::Failure;
 use striata_command::strip_chain::{StripChain, StripPlan};
 use striata_strip::{RepairGoal, RepairOptions, StripOptions, Stripifier};
 
+use super::threads::ThreadArgs;
+
 /// Default stripifier of `strip`.
 const DEFAULT_STRIPS: Stripifier = Stripifier::Cheapest;
 
@@ -51,6 +53,9 @@ pub(crate) struct StripArgs {
     /// Options of stripifiers that search.
     #[command(flatten)]
     pub search: StripSearchArgs,
+    /// Number of threads.
+    #[command(flatten)]
+    pub threads: ThreadArgs,
 }
 
 /// Strips that are made once and repaired while the level of detail changes.

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use super::threads::ThreadArgs;
 use super::{ByteSize, CellArgs};
 
 /// Arguments of `tiles`.
@@ -61,6 +62,9 @@ pub(crate) struct TilesArgs {
     /// How the paged file is built.
     #[command(flatten)]
     pub build: PageBuildArgs,
+    /// Number of threads.
+    #[command(flatten)]
+    pub threads: ThreadArgs,
 }
 
 /// Options of meshes for Neuroglancer.
@@ -105,9 +109,6 @@ pub(crate) struct PageBuildArgs {
     /// Work within so much memory: 4GB, 500MB
     #[arg(long, value_name = "SIZE")]
     pub memory: Option<ByteSize>,
-    /// Threads that build the paged file [default: one per core, as far as memory allows]
-    #[arg(long, value_name = "N")]
-    pub threads: Option<usize>,
     /// How cells and positions are chosen.
     #[command(flatten)]
     pub cells: CellArgs,
@@ -116,9 +117,7 @@ pub(crate) struct PageBuildArgs {
 impl PageBuildArgs {
     /// Returns the first flag that the user gave.
     pub(crate) fn first_given_flag(&self) -> Option<&'static str> {
-        let flags = [("--memory", self.memory.is_some()), ("--threads", self.threads.is_some())];
-        let first = flags.into_iter().find(|&(_, is_given)| is_given).map(|(flag, _)| flag);
-        first.or_else(|| self.cells.first_given_flag())
+        self.memory.map(|_| "--memory").or_else(|| self.cells.first_given_flag())
     }
 }
 

@@ -200,8 +200,8 @@ struct EncodeReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     georeference: Option<Value>,
     output_bytes: usize,
+    #[serde(flatten)]
     phases: Phases,
-    secs: f64,
     peak_rss_bytes: Option<u64>,
 }
 
@@ -241,7 +241,6 @@ impl EncodeReport {
             other_bits_per_vertex: per_vertex(output_bits - coded_bits),
             georeference: georeference_of(encoded.mesh),
             output_bytes,
-            secs: phases.total_secs(),
             phases,
             peak_rss_bytes: peak_rss_bytes(),
         })
@@ -271,7 +270,7 @@ impl EncodeReport {
         }
         let chosen = if args.output().is_none() { DEFAULT_NAME_NOTE } else { "" };
         row("file", format!("{} ({}){chosen}", self.path, format_bytes(self.output_bytes)));
-        row("time", format_duration(self.secs));
+        row("time", format_duration(self.phases.total_secs()));
         table.to_text()
     }
 }

@@ -34,6 +34,11 @@ pub(crate) fn run(cli: &Cli) -> Result<(), Failure> {
     let output = Output::new(cli.report);
     check_json(cli)?;
     check_inputs_stay(cli)?;
+    if let Some(count) = cli.verb.thread_count() {
+        // Whatever uses several threads uses those of the pool.
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build_global();
+        pool.map_err(|error| Failure::user(format!("{count} threads could not be started: {error}")))?;
+    }
     match &cli.verb {
         Verb::Build(args) => build::run(args, &output),
         Verb::Plan(args) => paged::plan(args, &output),

@@ -36,6 +36,7 @@ fn build_reports_its_result() {
             "phases.strip",
             "phases.models",
             "phases.write",
+            "cpu_phases.simplify",
             "secs",
             "peak_rss_bytes",
         ],
@@ -48,6 +49,53 @@ fn build_reports_its_result() {
         bench.read("ball.striata"),
         "the same input gives the same bytes"
     );
+}
+
+#[test]
+fn build_shows_the_times_of_its_stages() {
+    let bench = Workbench::with_ball();
+    let arm = asset("arm.glb");
+    for (line, stages) in [
+        ("build sphere.obj -o out.striata", &["read", "weld", "simplify", "strip", "models", "write"][..]),
+        (&format!("build {} -o out.striata", arm.display()), &["read", "simplify", "write"]),
+        ("build shape:terrain:60 -o out.striata --paged", &["plan", "tasks", "finish"]),
+    ] {
+        let shown = bench.run(&format!("{line} --timings")).success();
+        let text = String::from_utf8_lossy(&shown.get_output().stderr).into_owned();
+        let (_, table) = text.split_once("CPU s").unwrap_or_else(|| panic!("no table: {text}"));
+        let first_words = |text: &str| -> Vec<String> {
+            text.lines().filter_map(|line| line.split_whitespace().next().map(str::to_owned)).collect()
+        };
+        assert_eq!(first_words(table), [stages, &["total"]].concat(), "{line}");
+        let report = bench.json(line);
+        for member in ["phases", "cpu_phases"] {
+            assert_keys(&report[member], stages);
+        }
+        let quiet = bench.run(line).success();
+        assert!(!String::from_utf8_lossy(&quiet.get_output().stderr).contains("CPU s"), "{line}");
+    }
+}
+
+#[test]
+fn results_do_not_depend_on_the_number_of_threads() {
+    let bench = Workbench::new();
+    let (spot, arm) = (asset("spot.obj.zst"), asset("arm.glb"));
+    for (name, line) in [
+        ("spot.ply", format!("simplify {} --ratio .3 -o", spot.display())),
+        ("arm.glb", format!("simplify {} --ratio .3 -o", arm.display())),
+        ("arm.stri", format!("encode {} -o", arm.display())),
+        ("spot.striata", format!("build {} --models lodstrips,fans -o", spot.display())),
+    ] {
+        let made = [1, 3].map(|count| {
+            bench.run(&format!("{line} {count}-{name} --threads {count}")).success();
+            bench.read(&format!("{count}-{name}"))
+        });
+        assert!(made[0] == made[1], "{name}");
+    }
+    let refused = bench.refused(&format!("info {} --threads 2", spot.display()));
+    assert!(refused.contains("--threads"), "{refused}");
+    let refused = bench.refused(&format!("build {} -o out.striata --threads 0", spot.display()));
+    assert!(refused.contains("1..=1024"), "{refused}");
 }
 
 #[test]

@@ -7,7 +7,9 @@
 use glam::Vec3A;
 use wide::{f32x4, f32x8};
 
-use super::point_packet::{PointPacket, lane_max};
+use super::axis_box::AxisBox;
+use super::lanes::lane_max;
+use super::point_packet::PointPacket;
 
 /// Largest number of children of a node.
 const WIDTH: usize = 4;
@@ -17,13 +19,6 @@ const IS_MEMBER: u32 = 1 << 31;
 const NONE: u32 = u32::MAX;
 /// More nodes than are ever left to visit: three for each level of a tree of 2^31 boxes.
 const MAX_OPEN: usize = 64;
-
-/// An axis-aligned box.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct AxisBox {
-    pub min: Vec3A,
-    pub max: Vec3A,
-}
 
 /// The boxes of a node's children by axis and child, and the children: nodes, or members.
 struct BoxNode {
@@ -46,19 +41,6 @@ pub(crate) struct BoxTree {
     /// The boxes of each node that has not been split, as a range of `entries`; empty if all have been.
     ranges: Vec<[u32; 2]>,
     entries: Vec<BoxEntry>,
-}
-
-impl AxisBox {
-    pub(super) const EMPTY: Self = Self { min: Vec3A::INFINITY, max: Vec3A::NEG_INFINITY };
-
-    fn union(self, other: Self) -> Self {
-        Self { min: self.min.min(other.min), max: self.max.max(other.max) }
-    }
-
-    /// Twice the center, which gives the same order.
-    fn doubled_center(&self) -> [f32; 3] {
-        (self.min + self.max).to_array()
-    }
 }
 
 impl BoxNode {

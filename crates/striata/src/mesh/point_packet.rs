@@ -3,56 +3,33 @@
 use glam::{Vec3, Vec3A};
 use wide::f32x8;
 
-use super::box_tree::AxisBox;
+use super::axis_box::AxisBox;
+use super::lanes::{LANES, Vec3x8};
 
 /// Number of points in a packet.
-pub(crate) const PACKET: usize = 8;
+pub(crate) const PACKET: usize = LANES;
 
-/// Eight points, by axis, and the box around them.
+/// Eight points, and the box around them.
 #[derive(Clone, Copy)]
 pub(crate) struct PointPacket {
     points: Vec3x8,
     pub(super) bounds: AxisBox,
 }
 
-/// Eight vectors, by axis.
-#[derive(Clone, Copy)]
-struct Vec3x8([f32x8; 3]);
-
-impl Vec3x8 {
-    #[inline]
-    fn minus(self, point: Vec3) -> Self {
-        let [x, y, z] = self.0;
-        Self([x - f32x8::splat(point.x), y - f32x8::splat(point.y), z - f32x8::splat(point.z)])
-    }
-
-    #[inline]
-    fn dot(self, v: Vec3) -> f32x8 {
-        let [x, y, z] = self.0;
-        x * f32x8::splat(v.x) + y * f32x8::splat(v.y) + z * f32x8::splat(v.z)
-    }
-
-    #[inline]
-    fn length_squared(self) -> f32x8 {
-        let [x, y, z] = self.0;
-        x * x + y * y + z * z
-    }
-}
-
 impl PointPacket {
     pub(crate) fn new(points: [Vec3; PACKET]) -> Self {
-        let bounds = points.map(Vec3A::from).into_iter().fold(AxisBox::EMPTY, |bounds, point| AxisBox {
-            min: bounds.min.min(point),
-            max: bounds.max.max(point),
-        });
-        let points = Vec3x8([0, 1, 2].map(|axis| f32x8::new(points.map(|point| point[axis]))));
-        Self { points, bounds }
+        let bounds = points
+            .map(Vec3A::from)
+            .into_iter()
+            .fold(AxisBox::EMPTY, |bounds, point| bounds.union(AxisBox { min: point, max: point }));
+        let [x, y, z] = [0, 1, 2].map(|axis| f32x8::new(points.map(|point| point[axis])));
+        Self { points: Vec3x8 { x, y, z }, bounds }
     }
 
     /// Squared distances from a point.
     #[inline]
     pub(crate) fn squared_distances_from(self, point: Vec3) -> f32x8 {
-        self.points.minus(point).length_squared()
+        self.points.sub(Vec3x8::splat(point)).length_squared()
     }
 
     /// Squared distances from a triangle; if it has no area, those from its sides.
@@ -63,19 +40,14 @@ impl PointPacket {
         let mut sides = f32x8::splat(f32::INFINITY);
         let mut is_above = f32x8::ZERO.simd_eq(f32x8::ZERO);
         for (start, end) in [(a, b), (b, c), (c, a)] {
-            let (side, from) = (end - start, self.points.minus(start));
-            let along = from.dot(side) * f32x8::splat(side.length_squared().max(floor).recip());
-            let Vec3x8([x, y, z]) = from;
+            let (side, from) = (end - start, self.points.sub(Vec3x8::splat(start)));
+            let along =
+                from.dot(Vec3x8::splat(side)) * f32x8::splat(side.length_squared().max(floor).recip());
             let share = along.fast_max(f32x8::ZERO).fast_min(f32x8::ONE);
-            let off = Vec3x8([
-                x - share * f32x8::splat(side.x),
-                y - share * f32x8::splat(side.y),
-                z - share * f32x8::splat(side.z),
-            ]);
-            sides = sides.fast_min(off.length_squared());
-            is_above &= from.dot(normal.cross(side)).simd_gt(f32x8::ZERO);
+            sides = sides.fast_min(from.sub(Vec3x8::splat(side).scale(share)).length_squared());
+            is_above &= from.dot(Vec3x8::splat(normal.cross(side))).simd_gt(f32x8::ZERO);
         }
-        let height = self.points.minus(a).dot(normal);
+        let height = self.points.sub(Vec3x8::splat(a)).dot(Vec3x8::splat(normal));
         let above = height * height * f32x8::splat(normal.length_squared().max(floor).recip());
         is_above.bitselect(above, sides)
     }
@@ -83,20 +55,13 @@ impl PointPacket {
     /// Squared distances from a box.
     #[inline]
     pub(super) fn squared_distances_from_box(self, AxisBox { min, max }: AxisBox) -> f32x8 {
-        let [x, y, z] = [0, 1, 2].map(|axis| {
-            let at = self.points.0[axis];
-            let away = (f32x8::splat(min[axis]) - at).fast_max(at - f32x8::splat(max[axis]));
-            let away = away.fast_max(f32x8::ZERO);
-            away * away
-        });
-        x + y + z
+        let Vec3x8 { x, y, z } = self.points;
+        let away = |at: f32x8, axis: usize| {
+            let outside = (f32x8::splat(min[axis]) - at).fast_max(at - f32x8::splat(max[axis]));
+            outside.fast_max(f32x8::ZERO)
+        };
+        Vec3x8 { x: away(x, 0), y: away(y, 1), z: away(z, 2) }.length_squared()
     }
-}
-
-/// Maximum over all lanes.
-#[inline]
-pub(crate) fn lane_max(lanes: f32x8) -> f32 {
-    lanes.to_array().into_iter().fold(f32::NEG_INFINITY, f32::max)
 }
 
 #[cfg(test)]

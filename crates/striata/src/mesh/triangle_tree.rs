@@ -11,7 +11,8 @@
 
 use glam::{DVec3, Vec3A};
 
-use super::box_tree::{AxisBox, BoxTree};
+use super::axis_box::AxisBox;
+use super::box_tree::BoxTree;
 use super::{IndexedMesh, MeshError};
 
 /// Margin added to every box on all sides, in a frame in which the mesh spans -1..1, where f32 rounds by 6e-8;

@@ -109,7 +109,13 @@ pub(crate) fn run(args: &BuildArgs, output: &Output) -> Result<(), Failure> {
     drop(bar);
     let mut report = BuildReport::new(&mesh, &built, display_name(&path), bytes.len(), phases);
     report.shortfall = shortfall;
-    output.summary(&report, &report.to_text(args, &built, diagonal))
+    let text = report.to_text(args, &built, diagonal);
+    output.summary(&report, &(text + &timings_text(args, &report.phases)))
+}
+
+/// The times of all stages, if the user asked for them.
+pub(in crate::commands) fn timings_text(args: &BuildArgs, phases: &Phases) -> String {
+    if args.timings { format!("\n{}", phases.to_text()) } else { String::new() }
 }
 
 /// Whether the result is a paged file: if flags ask for it, or if the input does not fit into memory.

@@ -32,8 +32,8 @@ pub(super) struct BuildReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     georeference: Option<Value>,
     output_bytes: usize,
-    phases: Phases,
-    secs: f64,
+    #[serde(flatten)]
+    pub phases: Phases,
     peak_rss_bytes: Option<u64>,
 }
 
@@ -80,7 +80,6 @@ impl BuildReport {
             models,
             strips,
             output_bytes,
-            secs: phases.total_secs(),
             phases,
             peak_rss_bytes: peak_rss_bytes(),
         }
@@ -109,7 +108,7 @@ impl BuildReport {
         }
         let chosen = if args.output.is_none() { DEFAULT_NAME_NOTE } else { "" };
         row("file", format!("{} ({}){chosen}", self.path, format_bytes(self.output_bytes)));
-        row("time", format_duration(self.secs));
+        row("time", format_duration(self.phases.total_secs()));
         let shortfall =
             self.shortfall.as_ref().map(|shortfall| format!("--base was not reached: {shortfall}"));
         table.to_text() + &shortfall.unwrap_or_default()

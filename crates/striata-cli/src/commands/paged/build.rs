@@ -1,11 +1,11 @@
 //! `build` with a paged output: plans, runs all tasks, and removes the work folder.
 
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use serde::Serialize;
 use striata::simplify::{StopReason, Target};
 use striata_command::args::{Count, Length};
+use striata_command::clock::Phases;
 use striata_command::failure::Failure;
 use striata_command::level::{CoarseningLimit, ReachedLevel, shortfall};
 use striata_command::output::{Output, format_bytes, format_count, format_duration};
@@ -17,9 +17,13 @@ use striata_paged::build::{
 };
 
 use super::input::{build_input, build_options, scratch_bytes, work_folder};
-use super::{core_count, failure, failure_of};
+use super::{failure, failure_of};
 use crate::args::{BaseArgs, BuildArgs, ByteSize, PageBuildArgs};
+use crate::commands::build::timings_text;
 use striata_paged::PagedFile;
+
+/// Phases whose times are reported.
+const PHASES: [&str; 3] = ["plan", "tasks", "finish"];
 
 /// Report of a build: the file, its counts, and the time that it took.
 #[derive(Serialize)]
@@ -32,8 +36,9 @@ struct PagedBuildReport {
     shortfall: Option<String>,
     levels: u8,
     pages: u64,
-    seconds: f64,
     triangles_per_second: f64,
+    #[serde(flatten)]
+    phases: Phases,
     resumed: bool,
     /// The place of a terrain on the Earth.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -50,12 +55,13 @@ pub(crate) fn build(
     path: &Path,
     output: &Output,
 ) -> Result<(), Failure> {
-    let start = Instant::now();
+    let mut phases = Phases::new(&PHASES);
+    phases.enter("plan");
     let input = build_input(inputs)?;
     let args = &build.paged;
     let options = sequenced(build_options(&args.cells, output)?, build);
     let folder = work_folder(path, args.work.as_deref());
-    let threads = thread_count(args.memory, args.threads, options.cell);
+    let threads = thread_count(args.memory, options.cell);
     // Hours of work lie ahead.
     check_folder(path)?;
     check_input_space(&input, &folder)?;
@@ -86,6 +92,7 @@ pub(crate) fn build(
     };
     say_remarks(&plan, output)?;
     check_space(&plan)?;
+    phases.enter("tasks");
     let run = run_all(&plan, threads, &mut |p| bar.show(p));
     if matches!(run, Err(PagedBuildError::Merging { .. } | PagedBuildError::Base { .. })) {
         // The plan cannot be completed.
@@ -93,10 +100,12 @@ pub(crate) fn build(
     }
     run.map_err(failure)?;
     drop(bar);
+    phases.enter("finish");
     let base_triangles = plan.base_triangle_count().map_err(failure)?;
     plan.remove_work().map_err(failure)?;
     drop(lock);
-    let seconds = start.elapsed().as_secs_f64();
+    phases.leave();
+    let seconds = phases.total_secs();
     let triangles = plan.metadata.triangle_count;
     let report = PagedBuildReport {
         output: path.to_owned(),
@@ -106,8 +115,8 @@ pub(crate) fn build(
         shortfall: shortfall_of(build, triangles, base_triangles),
         levels: plan.level_count(),
         pages: plan.estimate().page_count,
-        seconds,
         triangles_per_second: triangles as f64 / seconds,
+        phases,
         resumed,
         georeference: plan.metadata.georeference.clone(),
     };
@@ -124,7 +133,7 @@ pub(crate) fn build(
         if resumed { ", going on where an earlier run ended" } else { "" },
         shortfall.unwrap_or_default(),
     );
-    output.summary(&report, &text)
+    output.summary(&report, &(text + &timings_text(build, &report.phases)))
 }
 
 /// Builds a paged file that another verb reads, next to which its work folder is.
@@ -140,7 +149,7 @@ pub(crate) fn build_pages(
     let input = build_input(inputs)?;
     let options = build_options(&args.cells, output)?;
     let folder = work_folder(path, None);
-    let threads = thread_count(args.memory, args.threads, options.cell);
+    let threads = thread_count(args.memory, options.cell);
     check_input_space(&input, &folder)?;
     let mut bar = output.bar();
     let paths = BuildPaths { output: path, folder: &folder };
@@ -165,9 +174,9 @@ pub(super) fn say_remarks(plan: &PagedPlan, output: &Output) -> Result<(), Failu
 }
 
 /// Number of threads that run tasks.
-fn thread_count(memory: Option<ByteSize>, threads: Option<usize>, cell: usize) -> usize {
+fn thread_count(memory: Option<ByteSize>, cell: usize) -> usize {
     let most = memory.map_or(usize::MAX, |size| threads_for_memory(size.0, cell));
-    threads.unwrap_or_else(core_count).clamp(1, most)
+    rayon::current_num_threads().clamp(1, most)
 }
 
 /// The options of the cells, with what the user said about the base mesh and the order of collapses.

@@ -43,11 +43,6 @@ fn failure(error: PagedBuildError) -> Failure {
     }
 }
 
-/// One thread per core.
-fn core_count() -> usize {
-    std::thread::available_parallelism().map_or(1, usize::from)
-}
-
 /// Converts an error of a paged file.
 pub(crate) fn failure_of(error: PagedError) -> Failure {
     let failure = Failure::user(error.to_string());

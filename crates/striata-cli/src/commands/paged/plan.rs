@@ -8,8 +8,8 @@ use striata_command::output::{Output, Table, format_bytes, format_count, format_
 use striata_paged::build::{BuildPaths, BuildStage, PagedPlan, Simulation, SimulationOptions};
 
 use super::build::{limited, say_remarks};
+use super::failure;
 use super::input::{build_input, build_options, work_folder};
-use super::{core_count, failure};
 use crate::args::PlanArgs;
 
 /// Largest number of workers that is simulated.
@@ -41,13 +41,12 @@ pub(crate) fn plan(args: &PlanArgs, output: &Output) -> Result<(), Failure> {
     if let Some(wrong) = args.workers.iter().find(|n| !(1..=MAX_WORKERS).contains(*n)) {
         return Err(Failure::usage(format!("--workers has {wrong}, but must be 1 to {MAX_WORKERS}")));
     }
-    let threads = args.threads.unwrap_or_else(core_count);
     let mut bar = output.bar();
     let plan = PagedPlan::make(
         input,
         options,
         BuildPaths { output: &args.output, folder: &folder },
-        threads,
+        rayon::current_num_threads(),
         &mut |p| bar.show(p),
     );
     let plan = plan.map_err(failure)?;

@@ -7,7 +7,7 @@ use striata_command::failure::Failure;
 use striata_command::output::{Output, format_duration};
 use striata_paged::build::{PagedPlan, run_all, run_task};
 
-use super::{core_count, failure};
+use super::failure;
 use crate::args::RunArgs;
 
 #[derive(Serialize)]
@@ -28,8 +28,7 @@ pub(crate) fn run(args: &RunArgs, output: &Output) -> Result<(), Failure> {
         Some(task) => run_task(&plan, task).map_err(failure)?,
         None => {
             let mut bar = output.bar();
-            let threads = args.threads.unwrap_or_else(core_count);
-            run_all(&plan, threads, &mut |p| bar.show(p)).map_err(failure)?;
+            run_all(&plan, rayon::current_num_threads(), &mut |p| bar.show(p)).map_err(failure)?;
         }
     }
     let report =

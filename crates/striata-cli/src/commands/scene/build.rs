@@ -23,7 +23,7 @@ use striata_scene::LodScene;
 use super::clusters::{self, ClusterReport};
 use super::ordered::{OrderReport, model_flags, ordered_input};
 use crate::args::BuildArgs;
-use crate::commands::build::{BuildFile, BuildFormat};
+use crate::commands::build::{BuildFile, BuildFormat, timings_text};
 
 /// Phases whose times are reported.
 const PHASES: [&str; 3] = ["read", "simplify", "write"];
@@ -49,8 +49,8 @@ struct SceneBuildReport {
     /// Order of a glTF file; absent for other files.
     #[serde(flatten)]
     order: Option<OrderReport>,
+    #[serde(flatten)]
     phases: Phases,
-    secs: f64,
     peak_rss_bytes: Option<u64>,
 }
 
@@ -81,7 +81,7 @@ pub(in crate::commands) fn build(
         phases.enter("write");
         let report = ClusterReport::write(&clustered, path, phases)?;
         drop(bar);
-        return output.summary(&report, &report.to_text());
+        return output.summary(&report, &(report.to_text() + &timings_text(args, &report.phases)));
     }
     let base = args.limits.base.map(|count| count.of_triangles(scene.triangle_count()));
     let limits = Limits {
@@ -130,11 +130,11 @@ pub(in crate::commands) fn build(
         image_bytes: scene.images().iter().map(|image| image.bytes.len()).sum(),
         output_bytes: encoded.bytes.len(),
         order,
-        secs: phases.total_secs(),
         phases,
         peak_rss_bytes: peak_rss_bytes(),
     };
-    output.summary(&report, &report.to_text(args.output.is_none()))
+    let text = report.to_text(args.output.is_none());
+    output.summary(&report, &(text + &timings_text(args, &report.phases)))
 }
 
 /// Explains why the coarsest level has more triangles than requested, if it has.
@@ -169,7 +169,7 @@ impl SceneBuildReport {
             order.rows(&mut row);
         }
         row("file", format!("{} ({}){chosen}", self.path, format_bytes(self.output_bytes)));
-        row("time", format_duration(self.secs));
+        row("time", format_duration(self.phases.total_secs()));
         let mut text = table.to_text();
         if let Some(shortfall) = &self.shortfall {
             text.push_str(&shortfall_note(None, shortfall));

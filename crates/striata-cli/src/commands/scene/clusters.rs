@@ -51,8 +51,8 @@ pub(super) struct ClusterReport {
     /// Bytes of the extension.
     cluster_bytes: usize,
     output_bytes: usize,
-    phases: Phases,
-    secs: f64,
+    #[serde(flatten)]
+    pub phases: Phases,
     peak_rss_bytes: Option<u64>,
 }
 
@@ -88,7 +88,6 @@ impl ClusterReport {
             plain_bytes: glb.plain_bytes,
             cluster_bytes: glb.bytes.len() - glb.plain_bytes,
             output_bytes: glb.bytes.len(),
-            secs: phases.total_secs(),
             phases,
             peak_rss_bytes: peak_rss_bytes(),
         })
@@ -108,7 +107,7 @@ impl ClusterReport {
             format!("{} (+{share:.1} % of the plain file)", format_bytes(self.cluster_bytes)),
         );
         row("file", format!("{} ({})", self.path, format_bytes(self.output_bytes)));
-        row("time", format_duration(self.secs));
+        row("time", format_duration(self.phases.total_secs()));
         table.to_text()
     }
 }

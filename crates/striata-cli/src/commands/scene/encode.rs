@@ -36,8 +36,8 @@ struct SceneEncodeReport {
     #[serde(skip_serializing_if = "Option::is_none")]
     georeference: Option<Value>,
     output_bytes: usize,
+    #[serde(flatten)]
     phases: Phases,
-    secs: f64,
     peak_rss_bytes: Option<u64>,
 }
 
@@ -104,7 +104,6 @@ pub(in crate::commands) fn encode(
         sizes,
         georeference: scene.georeference().cloned(),
         output_bytes: bytes.len(),
-        secs: phases.total_secs(),
         phases,
         peak_rss_bytes: peak_rss_bytes(),
     };
@@ -177,7 +176,7 @@ impl SceneEncodeReport {
         }
         let chosen = if is_default_name { DEFAULT_NAME_NOTE } else { "" };
         row("file", format!("{} ({}){chosen}", self.path, format_bytes(self.output_bytes)));
-        row("time", format_duration(self.secs));
+        row("time", format_duration(self.phases.total_secs()));
         table.to_text()
     }
 }

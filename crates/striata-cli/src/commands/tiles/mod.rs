@@ -119,7 +119,7 @@ fn pages_of(
     if let [path] = inputs
         && paged::is_paged_file(path)
     {
-        let flag = args.build.cells.first_given_flag().or_else(|| args.build.threads.map(|_| "--threads"));
+        let flag = args.build.cells.first_given_flag();
         let Some(flag) = flag else { return Ok((path.clone(), None)) };
         let message = format!("{}: {flag} has no effect on a paged file", path.display());
         return Err(Failure::usage(message).with_hint(format!("remove {flag}")));

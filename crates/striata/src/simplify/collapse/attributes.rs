@@ -14,7 +14,7 @@ use glam::Vec3;
 
 use crate::mesh::{AttributeLayer, Semantic, Welded};
 
-use super::base_colors::{BaseColors, ShownTriangle};
+use super::base_colors::{BaseColors, ShownTriangle, gathered};
 use super::charts;
 use super::fan::nearest;
 use super::star::Star;
@@ -165,6 +165,20 @@ impl AttributeSpace {
             first += layer.component_count as usize;
         }
         Some(space)
+    }
+
+    /// Returns the space of some of the vertices, in this order: a part of a mesh, at a later time, counts like the
+    /// original.
+    pub(in crate::simplify) fn gathered(&self, vertices: &[u32]) -> Self {
+        Self {
+            values: vertices.iter().flat_map(|&v| self.of(v)).copied().collect(),
+            normals: self.normals.clone(),
+            highlights: gathered(&self.highlights, vertices),
+            atlases: gathered(&self.atlases, vertices),
+            materials: gathered(&self.materials, vertices),
+            base_colors: self.base_colors.as_ref().map(|colors| colors.gathered(vertices)),
+            ..*self
+        }
     }
 
     /// Fills in the coordinates of a layer, beginning at coordinate `first`.

@@ -107,6 +107,18 @@ impl BaseColors {
         found.material_of.iter().any(|&material| material != UNKNOWN).then_some(found)
     }
 
+    /// Returns the colors of some of the vertices, in this order.
+    pub(super) fn gathered(&self, vertices: &[u32]) -> Self {
+        Self {
+            materials: self.materials.clone(),
+            factors: self.factors.clone(),
+            material_of: gathered(&self.material_of, vertices),
+            texcoords: gathered(&self.texcoords, vertices),
+            colors: gathered(&self.colors, vertices),
+            ..*self
+        }
+    }
+
     /// Computes the color around each vertex.
     fn load_colors(&mut self, triangles: &[[u32; 3]]) {
         let mut areas = vec![(0.0f32, 0.0f32); self.colors.len()];
@@ -247,6 +259,11 @@ impl BaseColors {
         };
         old.iter().chain(new).all(|triangle| triangle.vertices.into_iter().all(is_same))
     }
+}
+
+/// Returns the rows of some vertices, or none if there are none.
+pub(super) fn gathered<T: Copy>(rows: &[T], vertices: &[u32]) -> Vec<T> {
+    if rows.is_empty() { Vec::new() } else { vertices.iter().map(|&v| rows[v as usize]).collect() }
 }
 
 /// A triangle seen along a direction.

@@ -7,7 +7,8 @@
 
 use wide::f32x8;
 
-use crate::mesh::{PACKET, PointPacket, Welded, lane_max};
+use crate::mesh::lanes::lane_max;
+use crate::mesh::{PACKET, PointPacket, Welded};
 
 use super::fan::point;
 use super::links::LinkEdge;

@@ -17,6 +17,7 @@
 use crate::mesh::Welded;
 use crate::{Progress, ProgressFn};
 
+use super::attributes::AttributeSpace;
 use super::collapse_choice::{CollapseChoice, CollapseKind};
 use super::cost_evaluator::CostEvaluator;
 use super::executor::CollapseExecutor;
@@ -79,6 +80,18 @@ pub(in crate::simplify) struct Simplifier<'a> {
     order: Option<PartOrder>,
 }
 
+/// State of the whole mesh at the positions of a part.
+pub(in crate::simplify) struct PartOfMesh {
+    /// Diagonal of the mesh, mesh units.
+    pub scale: f64,
+    /// Whether it has locked positions where it was cut.
+    pub is_cut: bool,
+    /// Keys as in [`PartOrder`].
+    pub latest: Vec<f32>,
+    /// Attributes of its positions, each of which has one vertex.
+    pub attributes: Option<AttributeSpace>,
+}
+
 /// Result of [`Simplifier::run_part`].
 pub(in crate::simplify) struct SimplifiedPart {
     /// The errors are what each step contributes: its own one if that is the largest so far in the part, or 0.
@@ -100,17 +113,14 @@ impl<'a> Simplifier<'a> {
         Self::with_evaluator(welded, options, evaluator)
     }
 
-    /// Creates a simplifier for a part of a level, to be [run as such](Self::run_part). The mesh diagonal is `scale`
-    /// mesh units; `latest` are keys as in [`PartOrder`]. A cut part has locked positions where it was cut.
+    /// Creates a simplifier for a part of a level, to be [run as such](Self::run_part).
     pub(in crate::simplify) fn of_part(
         welded: &'a Welded,
         options: &'a SequenceOptions,
-        scale: f64,
-        is_cut: bool,
-        latest: Vec<f32>,
+        PartOfMesh { scale, is_cut, latest, attributes }: PartOfMesh,
     ) -> Self {
         let mut evaluator = CostEvaluator::with_scale(welded, options, scale);
-        evaluator.is_cell = is_cut;
+        (evaluator.is_cell, evaluator.attributes) = (is_cut, attributes);
         let mut simplifier = Self::with_evaluator(welded, options, evaluator);
         simplifier.order = Some(PartOrder::new(latest));
         simplifier

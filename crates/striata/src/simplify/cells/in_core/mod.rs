@@ -40,7 +40,6 @@ pub(in crate::simplify) fn is_worth_dividing(welded: &Welded, options: &Sequence
     mesh.triangle_count() >= MIN_TRIANGLES
         && options.base_triangle_count < mesh.triangle_count()
         && welded.positions.is_identity()
-        && mesh.layers.is_empty()
         && options.cost.create().rules().is_local
         && options.pair_distance.is_none_or(|distance| distance <= 0.0)
         && options.group_borders != BoundaryRule::Locked

@@ -3,7 +3,7 @@
 use super::routed::RoutedLevel;
 use super::surface::{DividedSurface, NONE};
 use crate::mesh::{IndexedMesh, PositionIndex, Welded};
-use crate::simplify::collapse::simplifier::{SimplifiedPart, Simplifier};
+use crate::simplify::collapse::simplifier::{PartOfMesh, SimplifiedPart, Simplifier};
 use crate::simplify::collapse::witness::WitnessVertex;
 use crate::simplify::{SequenceOptions, SimplifyError, StopReason, TopologyRule};
 use crate::{ProgressFn, ignore_progress};
@@ -26,7 +26,7 @@ pub(super) struct PartResult {
     pub stop_reason: StopReason,
 }
 
-/// The mesh of a part. Its positions are first those of the part itself, then those around it.
+/// The mesh of a part, without attributes. Its positions are first those of the part itself, then those around it.
 struct CellPart {
     positions: Vec<u32>,
     own_count: usize,
@@ -122,9 +122,14 @@ impl CellPart {
         options.height_field =
             Some(options.height_field.unwrap_or(!surface.welded.mesh.appearance.georeference.is_empty()));
         let is_cut = self.inside_count < self.welded.mesh.triangles.len();
-        let latest = self.positions.iter().map(|&p| surface.latest[p as usize]).collect();
         let scale = surface.space.scale;
-        let mut simplifier = Simplifier::of_part(&self.welded, &options, scale, is_cut, latest);
+        let part = PartOfMesh {
+            scale,
+            is_cut,
+            latest: self.positions.iter().map(|&p| surface.latest[p as usize]).collect(),
+            attributes: surface.attributes.as_ref().map(|space| space.gathered(&self.positions)),
+        };
+        let mut simplifier = Simplifier::of_part(&self.welded, &options, part);
         let space = crate::simplify::scaled_space::ScaledSpace::with_scale(&self.welded.mesh, scale);
         let mut carried = Vec::new();
         for (i, &p) in (0..).zip(&self.positions[..self.own_count]) {

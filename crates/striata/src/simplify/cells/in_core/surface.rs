@@ -2,6 +2,7 @@
 
 use crate::mesh::Welded;
 use crate::simplify::SequenceOptions;
+use crate::simplify::collapse::attributes::AttributeSpace;
 use crate::simplify::scaled_space::ScaledSpace;
 
 /// No vertex.
@@ -11,6 +12,7 @@ pub(super) const NONE: u32 = u32::MAX;
 pub(super) struct DividedSurface<'a> {
     pub welded: &'a Welded,
     pub space: ScaledSpace,
+    pub attributes: Option<AttributeSpace>,
     pub triangles: Vec<[u32; 3]>,
     pub is_locked: Vec<bool>,
     pub is_removed: Vec<bool>,
@@ -30,9 +32,11 @@ impl<'a> DividedSurface<'a> {
                 *is_locked = true;
             }
         }
+        let space = ScaledSpace::of(&welded.mesh);
         Self {
             welded,
-            space: ScaledSpace::of(&welded.mesh),
+            attributes: AttributeSpace::new(welded, options, space.scale),
+            space,
             triangles: welded.mesh.triangles.clone(),
             is_locked,
             is_removed: vec![false; position_count],

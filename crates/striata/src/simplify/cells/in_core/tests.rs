@@ -1,7 +1,10 @@
+use glam::Vec3;
+
 use super::*;
 use crate::ignore_progress;
 use crate::mesh::{
-    CollapseSequence, DisjointSets, IndexedMesh, RefinableMesh, canonical_triangles, replay, shapes, weld,
+    AttributeLayer, CollapseSequence, DisjointSets, IndexedMesh, RefinableMesh, Semantic,
+    canonical_triangles, replay, shapes, weld,
 };
 use crate::simplify::collapse::refinement_order::build_refinable;
 use crate::simplify::{CostFunction, Target, TopologyRule};
@@ -22,6 +25,27 @@ fn meshes() -> Vec<IndexedMesh> {
     two.triangles.extend(other.triangles.iter().map(|t| t.map(|v| v + offset)));
     let bare = |mesh: IndexedMesh| IndexedMesh { layers: Vec::new(), ..mesh };
     vec![shapes::icosphere(5, 1.0), bare(shapes::terrain(70, 1)), two].into_iter().map(bare).collect()
+}
+
+/// These meshes with a normal and a color at each vertex.
+fn meshes_with_attributes() -> Vec<IndexedMesh> {
+    let with_layers = |mut mesh: IndexedMesh| {
+        let normals = vertex_normals(&mesh);
+        let colors: Vec<f32> = mesh.positions.iter().flat_map(|p| p.map(|x| x.sin().abs())).collect();
+        mesh.layers.push(AttributeLayer::from_f32(Semantic::Normal, 3, normals.into_flattened()));
+        mesh.layers.push(AttributeLayer::from_f32(Semantic::Color(0), 3, colors));
+        mesh
+    };
+    meshes().into_iter().map(with_layers).collect()
+}
+
+fn vertex_normals(mesh: &IndexedMesh) -> Vec<[f32; 3]> {
+    let mut sums = vec![Vec3::ZERO; mesh.positions.len()];
+    for t in &mesh.triangles {
+        let [a, b, c] = t.map(|v| Vec3::from(mesh.positions[v as usize]));
+        t.iter().for_each(|&v| sums[v as usize] += (b - a).cross(c - a));
+    }
+    sums.into_iter().map(|sum| sum.normalize_or_zero().to_array()).collect()
 }
 
 /// Applies the steps one by one and compares every level with the plain replay, and with its count.
@@ -51,7 +75,7 @@ fn check_levels(refinable: &RefinableMesh) {
 
 #[test]
 fn every_level_is_the_plain_replay() {
-    for mesh in meshes() {
+    for mesh in meshes().into_iter().chain(meshes_with_attributes()) {
         let (refinable, stop_reason) = build(&mesh, &SequenceOptions::default(), 700);
         assert_eq!(stop_reason, StopReason::BaseReached);
         check_levels(&refinable);
@@ -63,7 +87,7 @@ fn every_level_is_the_plain_replay() {
 #[cfg(feature = "parallel")]
 #[test]
 fn the_number_of_threads_does_not_matter() {
-    for mesh in meshes() {
+    for mesh in meshes().into_iter().chain(meshes_with_attributes()) {
         let on_threads = |count: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(count).build().expect("there are threads");
             pool.install(|| build(&mesh, &SequenceOptions::default(), 300))
@@ -125,7 +149,7 @@ fn a_callback_cancels() {
 }
 
 #[test]
-fn only_large_bare_meshes_of_large_parts_are_divided() {
+fn only_large_meshes_of_large_parts_without_seams_are_divided() {
     let large = weld(&IndexedMesh { layers: Vec::new(), ..shapes::terrain(360, 1) }).expect("it is valid");
     assert!(large.mesh.triangle_count() >= MIN_TRIANGLES);
     let options = SequenceOptions::default();
@@ -137,6 +161,8 @@ fn only_large_bare_meshes_of_large_parts_are_divided() {
     ] {
         assert!(!is_worth_dividing(&large, &other));
     }
+    let seamed = weld(&shapes::terrain(360, 1)).expect("it is valid");
+    assert_eq!(is_worth_dividing(&seamed, &options), seamed.positions.is_identity());
     let small = weld(&meshes()[0]).expect("it is valid");
     assert!(!is_worth_dividing(&small, &options));
     let mut loose = large;
@@ -145,4 +171,26 @@ fn only_large_bare_meshes_of_large_parts_are_divided() {
         chunk.iter_mut().for_each(|t| *t = [first, first + 1, first + 2]);
     });
     assert!(!is_worth_dividing(&loose, &options));
+}
+
+#[test]
+fn attributes_count_in_cells_as_they_do_without() {
+    // Half of the sheet is red. Where colors change, vertices stay longest.
+    let mut sheet = IndexedMesh { layers: Vec::new(), ..shapes::terrain(70, 1) };
+    sheet.positions.iter_mut().for_each(|p| p[2] = 0.0);
+    let colors = sheet.positions.iter().flat_map(|p| if p[0] < 30.5 { [1.0, 0.0, 0.0] } else { [0.0; 3] });
+    let colors = AttributeLayer::from_f32(Semantic::Color(0), 3, colors.collect());
+    let near_change = |mesh: IndexedMesh| {
+        let level = build(&mesh, &SequenceOptions::default().with_base_triangle_count(1200), 700).0;
+        let base = replay(&level, 0);
+        let mut used: Vec<u32> = base.triangles.as_flattened().to_vec();
+        used.sort_unstable();
+        used.dedup();
+        let xs = used.iter().map(|&v| base.positions[v as usize][0]);
+        xs.filter(|x| (29.0..=32.0).contains(x)).count() as f64 / used.len() as f64
+    };
+    let without = near_change(sheet.clone());
+    sheet.layers.push(colors);
+    let with = near_change(sheet);
+    assert!(with > 2.0 * without, "{with} of the vertices are where colors change, {without} without colors");
 }
