@@ -132,8 +132,9 @@ fn one_level_of_a_scene_is_fitted_unless_something_refers_to_vertices() {
     assert_eq!((count, fitted), rms("--placement optimal", "optimal"));
     for flags in ["--placement subset", "--certify", "--lock-boundary"] {
         let (subset_count, subset) = rms(flags, "subset");
-        // Guaranteed errors may distribute a few triangles differently.
-        assert!(count.abs_diff(subset_count) <= 4, "{flags}: {count} and {subset_count}");
+        // Guaranteed errors are others, and distribute a few triangles differently.
+        let allowed = if flags == "--certify" { 4 } else { 0 };
+        assert!(count.abs_diff(subset_count) <= allowed, "{flags}: {count} and {subset_count}");
         assert!(fitted < 0.8 * subset, "{flags}: {fitted} against {subset}");
     }
     let chain = bench.json("simplify a.glb -o b.glb --levels 50%,20% --lod-chain");

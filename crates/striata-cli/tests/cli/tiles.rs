@@ -125,7 +125,7 @@ fn what_cannot_be_done_is_refused_by_name() {
         ("tiles t.striata -o mine", "no tileset of striata"),
         ("tiles t.striata -o mine/file", "tiles need a folder"),
         ("tiles t.striata -o out --cell 4000", "--cell has no effect on a paged file"),
-        ("tiles t.striata -o out --memory 2GB --cell 4000", "--cell has no effect on a paged file"),
+        ("tiles t.striata -o out --threads 0", "1..=1024"),
         ("tiles t.striata -o out --meshopt --draco", "cannot be used with"),
         ("tiles shape:torus -o out --up y --skirts", "skirts are for terrains"),
         ("tiles none.ply -o out", "none.ply"),
@@ -138,6 +138,8 @@ fn what_cannot_be_done_is_refused_by_name() {
         assert!(!bench.path("out").exists());
     }
     assert!(bench.path("mine/file").exists());
+    // A paged file is not built, but its tiles are.
+    bench.run("tiles t.striata -o out --threads 2").success();
 }
 
 fn info(bench: &Workbench, folder: &str) -> Value {
