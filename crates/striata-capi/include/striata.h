@@ -20,7 +20,7 @@
 #ifndef STRIATA_H
 #define STRIATA_H
 
-/* Written by cbindgen from the Rust source: `cargo test -p striata-capi --test header` checks it. */
+/* Written by cbindgen from the Rust source: `cargo test -p striata-capi --test capi` checks it. */
 
 #include <stddef.h>
 #include <stdint.h>

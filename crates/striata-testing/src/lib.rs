@@ -11,3 +11,18 @@ pub mod server;
 pub mod simplifier;
 pub mod strange;
 pub mod support;
+
+/// The examples of the repository's README, compiled as doc tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;
+
+/// The example of the guide to views, compiled as a doc test.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/guide/views.md")]
+struct GuideToViews;
+
+/// The example of the guide to strips, compiled as a doc test.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/guide/strips.md")]
+struct GuideToStrips;

@@ -68,10 +68,10 @@ impl Commands {
                 Ok(command)
             }
             (["striata", rest @ ..], None) => {
-                Ok(self.built("striata-cli", &["--no-default-features"], rest)?)
+                Ok(self.built("Cargo.toml", &["--no-default-features"], rest)?)
             }
             (["striata-lab", rest @ ..], _) => {
-                Ok(self.built("striata-lab", &["--features", "peers"], rest)?)
+                Ok(self.built("lab/Cargo.toml", &["--features", "peers"], rest)?)
             }
             (["cargo", "bench", ..], _) => Ok(cargo(&arguments[1..])),
             (["cargo", "xtask", "gltf", folders @ ..], striata) => {
@@ -89,10 +89,10 @@ impl Commands {
         }
     }
 
-    /// Returns a command of this workspace, which is compiled when it runs.
-    fn built(&self, package: &str, features: &[&str], arguments: &[&str]) -> Result<Command> {
-        let mut command = cargo(&["run", "--release", "--quiet", "--package", package]);
-        command.args(features).arg("--manifest-path").arg(workspace().canonicalize()?.join("Cargo.toml"));
+    /// Returns the command of one of the workspaces here, which is compiled when it runs.
+    fn built(&self, manifest: &str, features: &[&str], arguments: &[&str]) -> Result<Command> {
+        let mut command = cargo(&["run", "--release", "--quiet"]);
+        command.args(features).arg("--manifest-path").arg(workspace().canonicalize()?.join(manifest));
         command.arg("--").args(arguments).arg("--quiet").current_dir(&self.scratch);
         Ok(command)
     }

@@ -1,0 +1,5 @@
+//! Tests of the C library, in one program.
+
+mod calls;
+mod header;
+mod programs;
