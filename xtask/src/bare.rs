@@ -12,8 +12,9 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
 
-use crate::steps::{self, cargo, say};
-use crate::{machine, target_folder};
+use crate::command::built_command;
+use crate::machine;
+use crate::steps::say;
 
 /// A kind of machine: its name, and the environment variables that simulate it.
 struct MachineKind {
@@ -51,8 +52,7 @@ const MEAN: f64 = 1.0;
 /// # Errors
 /// If the demo fails on a kind of machine, or its files differ.
 pub(crate) fn run() -> Result<()> {
-    steps::run(&mut cargo(&["build", "--release", "--package", "striata-cli"]))?;
-    let command = target_folder()?.join("release").join(format!("striata{}", std::env::consts::EXE_SUFFIX));
+    let command = built_command()?;
     let scratch = std::env::temp_dir().join(format!("striata-bare-{}", std::process::id()));
     machine::remove_folder(&scratch)?;
     let folders = KINDS.map(|kind| scratch.join(kind.name.replace(' ', "-")));

@@ -36,8 +36,12 @@ struct TaskCli {
 
 #[derive(Debug, Subcommand)]
 enum MaintenanceTask {
-    /// Run every check: format, lints, tests, docs, features, wasm32, golden files, browser
-    Test,
+    /// Run what a change must pass: format, lints, tests, docs, wasm32, golden files, Python, Chromium
+    Test {
+        /// Also run what few changes break: Firefox, the lab, each feature alone, the oldest Rust, fuzz targets
+        #[arg(long)]
+        all: bool,
+    },
     /// Run only the demo check: with Vulkan, with only OpenGL, and without graphics drivers
     Bare,
     /// Run only the golden check: run the demo and validate its files
@@ -76,14 +80,15 @@ enum MaintenanceTask {
 
 fn main() -> ExitCode {
     let outcome = match TaskCli::parse().task {
-        MaintenanceTask::Test => test::run(),
+        MaintenanceTask::Test { all: true } => test::run(test::Extent::All),
+        MaintenanceTask::Test { all: false } => test::run(test::Extent::Quick),
         MaintenanceTask::Bare => bare::run(),
         MaintenanceTask::Golden => golden::run(),
         MaintenanceTask::Gltf(args) => gltf::check(&args),
         MaintenanceTask::Browser => browser::run(),
-        MaintenanceTask::Web { package: true } => web::prepare_library(),
+        MaintenanceTask::Web { package: true } => web::prepare_library(web::WasmBuild::Published),
         MaintenanceTask::Web { package: false } => web::build(),
-        MaintenanceTask::WebCheck => web::check(),
+        MaintenanceTask::WebCheck => web::check(test::Extent::All),
         MaintenanceTask::Py => py::run(),
         MaintenanceTask::Packages => packages::run(),
         MaintenanceTask::Release(args) => release::run(&args),

@@ -1,4 +1,4 @@
-//! Runs all checks that must pass before a change is merged.
+//! Runs the checks that must pass before a change is merged, or all that there are.
 //!
 //! The release build of the command comes first, before anything is installed on the machine. All other steps
 //! use the same profile, so that nothing is compiled twice: `clippy` reuses the results of `check`, and the
@@ -45,72 +45,99 @@ const FEATURES_ALONE: &[(&str, &str)] = &[
     ("striata-cli", "remote"),
     ("striata-cli", "serve"),
     ("striata-py", ""),
-    ("striata-lab", ""),
-    ("striata-lab", "peers"),
 ];
 
-/// Runs all steps and stops at the first failure.
+/// The lab, which is a workspace of its own.
+const LAB: [&str; 2] = ["--manifest-path", "lab/Cargo.toml"];
+
+/// Which checks to run.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Extent {
+    /// What a change of the code must pass.
+    Quick,
+    /// Also what few changes break: everything that CONTRIBUTING.md lists.
+    All,
+}
+
+/// Runs the steps and stops at the first failure.
 ///
 /// # Errors
 /// The failure of that step.
-fn run_all(steps: &mut CiSteps) -> Result<()> {
+fn run_steps(steps: &mut CiSteps, extent: Extent) -> Result<()> {
     // This comes first, since the next step may install libraries that a new machine lacks.
     steps.step("bare machines", bare::run)?;
     steps.step("machine", machine::prepare)?;
-    steps.step("format", || steps::run(&mut cargo(&["fmt", "--all", "--check"])))?;
+    steps.step("format", check_format)?;
     steps.step("shape of the code", || house::check(false))?;
-    steps.step("clippy", || {
-        steps::run(&mut cargo(&[
-            "clippy",
-            "--workspace",
-            "--all-targets",
-            "--features",
-            FULL,
-            "--",
-            "-D",
-            "warnings",
-        ]))
-    })?;
-    // Mesa's device selection layer looks for a Wayland display, and prints errors if there is none.
-    let quiet = ("NODEVICE_SELECT", "1");
-    steps.step("tests and doc tests", || {
-        steps::run(cargo(&["test", "--workspace", "--features", FULL]).env(quiet.0, quiet.1))
-    })?;
+    steps.step("clippy", || lint(&["--workspace", "--features", FULL]))?;
+    steps.step("tests and doc tests", || test(&["--workspace", "--features", FULL]))?;
     steps.step("documentation", || {
         let arguments = ["doc", "--workspace", "--no-deps", "--features", FULL];
         steps::run(cargo(&arguments).env("RUSTDOCFLAGS", "-D warnings"))
+    })?;
+    steps.step("packages", packages::run)?;
+    if machine::has_wasm_target() {
+        steps.step("wasm32", check_wasm)?;
+    } else {
+        steps.skip(WASM_TARGET, "the target is not installed and rustup could not add it");
+    }
+    steps.step("web assets", || web::check(extent))?;
+    steps.step("golden", golden::run)?;
+    steps.step("Python", py::run)?;
+    steps.step("Chromium", browser::run_chromium)?;
+    if extent == Extent::All { run_rare_steps(steps) } else { Ok(()) }
+}
+
+/// Runs the steps of [`Extent::All`].
+///
+/// # Errors
+/// The failure of the first step that fails.
+fn run_rare_steps(steps: &mut CiSteps) -> Result<()> {
+    steps.step("Firefox", browser::run_firefox)?;
+    steps.step("lab", || {
+        lint(&[&LAB[..], &["--features", "peers"]].concat())?;
+        test(&LAB)
     })?;
     steps.step("each feature alone", check_features)?;
     match oldest_rust::obstacle() {
         None => steps.step("oldest Rust", oldest_rust::check)?,
         Some(reason) => steps.skip("oldest Rust", &reason),
     }
-    steps.step("packages", packages::run)?;
     match licenses::obstacle() {
         None => steps.step("licenses", licenses::check)?,
         Some(reason) => steps.skip("licenses", reason),
     }
-    if machine::has_wasm_target() {
-        steps.step("wasm32", check_wasm)?;
-    } else {
-        steps.skip(WASM_TARGET, "the target is not installed and rustup could not add it");
-    }
-    steps.step("web assets", web::check)?;
-    steps.step("fuzz targets", check_fuzz)?;
-    steps.step("golden", golden::run)?;
-    steps.step("Python", py::run)?;
-    steps.step("browser", browser::run)
+    steps.step("fuzz targets", || lint(&["--manifest-path", "fuzz/Cargo.toml"]))
 }
 
 /// Runs `cargo xtask test`.
 ///
 /// # Errors
 /// The failure of the first step that fails.
-pub(crate) fn run() -> Result<()> {
+pub(crate) fn run(extent: Extent) -> Result<()> {
     let mut steps = CiSteps::default();
-    run_all(&mut steps)?;
+    run_steps(&mut steps, extent)?;
     say(&steps.summary());
     Ok(())
+}
+
+/// Checks the format of all workspaces.
+fn check_format() -> Result<()> {
+    for manifest in ["Cargo.toml", "lab/Cargo.toml", "fuzz/Cargo.toml"] {
+        steps::run(&mut cargo(&["fmt", "--all", "--check", "--manifest-path", manifest]))?;
+    }
+    Ok(())
+}
+
+/// Runs clippy over all targets of what the arguments name; warnings count as errors.
+fn lint(subject: &[&str]) -> Result<()> {
+    steps::run(&mut cargo(&[&["clippy", "--all-targets"], subject, &["--", "-D", "warnings"]].concat()))
+}
+
+/// Runs the tests of what the arguments name.
+fn test(subject: &[&str]) -> Result<()> {
+    // Mesa's device selection layer looks for a Wayland display, and prints errors if there is none.
+    steps::run(cargo(&[&["test"], subject].concat()).env("NODEVICE_SELECT", "1"))
 }
 
 fn check_features() -> Result<()> {
@@ -118,12 +145,6 @@ fn check_features() -> Result<()> {
         steps::run(&mut cargo(&["check", "-p", package, "--no-default-features", "--features", features]))?;
     }
     Ok(())
-}
-
-/// Checks the fuzz targets, which are a separate workspace. Running them requires a nightly toolchain.
-fn check_fuzz() -> Result<()> {
-    let arguments = ["clippy", "--manifest-path", "fuzz/Cargo.toml", "--all-targets", "--", "-D", "warnings"];
-    steps::run(&mut cargo(&arguments))
 }
 
 fn check_wasm() -> Result<()> {

@@ -27,11 +27,12 @@ use anyhow::{Context, Result, bail};
 
 use crate::machine::{self, WASM_TARGET};
 use crate::steps::{self, say};
+use crate::test::Extent;
 use crate::workspace;
 use stamp::AssetStamp;
 use wasm::folder;
 
-pub(crate) use wasm::rustc_output;
+pub(crate) use wasm::{WasmBuild, rustc_output};
 
 /// Advice if the check fails.
 const ADVICE: &str = "run `cargo xtask web` and commit what it writes";
@@ -42,39 +43,45 @@ const ADVICE: &str = "run `cargo xtask web` and commit what it writes";
 /// # Errors
 /// If a tool is missing or fails.
 pub(crate) fn build() -> Result<()> {
-    prepare_library()?;
+    prepare_library(WasmBuild::Published)?;
     build_viewer(&viewer())?;
-    stamp::write(&viewer_stamp())?;
+    stamp::write(&viewer_stamp(), WasmBuild::Published)?;
     say(&assets::sizes(&dist())?);
     Ok(())
 }
 
-/// Builds the npm package, unless it exists and was built from the same sources.
+/// Builds the npm package, unless it exists and was built from the same sources. What is published also serves for tests.
 ///
 /// # Errors
 /// If a tool is missing or fails.
-pub(crate) fn prepare_library() -> Result<()> {
+pub(crate) fn prepare_library(build: WasmBuild) -> Result<()> {
     let exists = dist().join("striata.js").is_file();
-    if exists && AssetStamp::read(&dist_stamp()).is_ok_and(|stamp| stamp.is_fresh()) {
+    let serves = |stamp: &AssetStamp| stamp.is_fresh() && (build == WasmBuild::Quick || !stamp.is_quick());
+    if exists && AssetStamp::read(&dist_stamp()).is_ok_and(|stamp| serves(&stamp)) {
         return Ok(());
     }
     if let Some(missing) = missing_tool() {
         bail!(missing);
     }
-    build_library()
+    build_library(build)
 }
 
-/// Builds the package, runs its tests, and checks that the committed viewer matches its sources.
+/// Builds the package, runs its tests, and checks that the committed viewer matches its sources: by the digests of its
+/// stamp, or, if they differ or everything is checked, by building it again.
 ///
 /// # Errors
 /// If the viewer is out of date, or tests fail.
-pub(crate) fn check() -> Result<()> {
+pub(crate) fn check(extent: Extent) -> Result<()> {
     let stamp = AssetStamp::read(&viewer_stamp()).context(ADVICE)?;
     if let Some(missing) = missing_tool() {
         say(&format!("{missing}: the web package is neither built nor tested"));
         return print_notice(&stamp);
     }
-    prepare_library()?;
+    if extent == Extent::Quick && stamp.is_fresh() {
+        prepare_library(WasmBuild::Quick)?;
+        return machine::npm(&folder(), &["test"]);
+    }
+    prepare_library(WasmBuild::Published)?;
     let scratch = std::env::temp_dir().join(format!("striata-viewer-{}", std::process::id()));
     machine::remove_folder(&scratch)?;
     build_viewer(&scratch)?;
@@ -112,10 +119,10 @@ fn missing_tool() -> Option<String> {
 }
 
 /// Builds the wasm, then the types and bundles of the npm package.
-fn build_library() -> Result<()> {
+fn build_library(build: WasmBuild) -> Result<()> {
     machine::npm_install(&folder())?;
-    let built = wasm::MODULES.map(wasm::build);
-    let encoder = wasm::build(wasm::ENCODER)?;
+    let built = wasm::MODULES.map(|module| wasm::build(module, build));
+    let encoder = wasm::build(wasm::ENCODER, build)?;
     let scripts = folder().join("src/wasm");
     let page = folder().join("viewer/wasm");
     for folder in [&dist(), &scripts, &page] {
@@ -127,7 +134,7 @@ fn build_library() -> Result<()> {
     wasm::write(&encoder, &page, &page)?;
     machine::npm(&folder(), &["run", "--silent", "check"])?;
     machine::npm(&folder(), &["run", "--silent", "build:library"])?;
-    stamp::write(&dist_stamp())
+    stamp::write(&dist_stamp(), build)
 }
 
 /// Builds the viewer page with the wasm in `dist`.

@@ -12,7 +12,7 @@ use crate::{web, workspace};
 /// # Errors
 /// If it cannot be built or packed, or lacks a file.
 pub(crate) fn check() -> Result<()> {
-    web::prepare_library()?;
+    web::prepare_library(web::WasmBuild::Published)?;
     let folder = workspace().join("web");
     let mut pack = Command::new("npm");
     pack.args(["pack", "--dry-run", "--json", "--ignore-scripts"]).current_dir(&folder);

@@ -6,8 +6,11 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result};
 use sha2::{Digest as _, Sha256};
 
-use super::wasm;
+use super::wasm::{self, WasmBuild};
 use crate::workspace;
+
+/// Value of quickly built wasm.
+const QUICK: &str = "quick";
 
 /// Crate that is compiled to wasm.
 const WASM_CRATE: &str = "striata-web";
@@ -78,16 +81,24 @@ impl AssetStamp {
     pub(super) fn is_fresh(&self) -> bool {
         self.is_of_this_rust() && self.changed().is_ok_and(|changed| changed.is_empty())
     }
+
+    /// Whether the wasm was built quickly, for tests.
+    pub(super) fn is_quick(&self) -> bool {
+        self.value("wasm") == Some(QUICK)
+    }
 }
 
 /// Writes the stamp of an asset that has just been built.
 ///
 /// # Errors
 /// If a source cannot be read or the stamp cannot be written.
-pub(super) fn write(path: &Path) -> Result<()> {
+pub(super) fn write(path: &Path, build: WasmBuild) -> Result<()> {
     let mut text = format!("rustc: {}\n", rustc()?);
-    for (name, paths) in sources()? {
+    if build == WasmBuild::Quick {
         // Writing to a string cannot fail.
+        let _ = writeln!(text, "wasm: {QUICK}");
+    }
+    for (name, paths) in sources()? {
         let _ = writeln!(text, "{name}: {}", digest(&paths)?);
     }
     std::fs::write(path, text).with_context(|| path.display().to_string())

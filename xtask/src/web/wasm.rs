@@ -26,6 +26,18 @@ const WASM_OPT_FEATURES: [&str; 7] = [
     "--enable-multivalue",
 ];
 
+/// How wasm is built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum WasmBuild {
+    /// As it is published: small and quick.
+    Published,
+    /// For tests: with little optimization, in a third of the time.
+    Quick,
+}
+
+/// Profile of quick builds.
+const QUICK_PROFILE: &str = "web-quick";
+
 /// A wasm module that is built from `crates/striata-web`.
 #[derive(Clone, Copy)]
 pub(super) struct Module {
@@ -61,8 +73,9 @@ pub(super) struct BuiltFiles {
 ///
 /// # Errors
 /// If a tool fails.
-pub(super) fn build(module: Module) -> Result<BuiltFiles> {
+pub(super) fn build(module: Module, build: WasmBuild) -> Result<BuiltFiles> {
     let Module { name, feature, profile, optimization } = module;
+    let profile = if build == WasmBuild::Quick { QUICK_PROFILE } else { profile };
     let arguments = ["build", "--locked", "-p", "striata-web", "--lib", "--target", WASM_TARGET];
     let options = ["--no-default-features", "--features", feature, "--profile", profile];
     let mut command = cargo(&[&arguments[..], &options].concat());
@@ -72,7 +85,8 @@ pub(super) fn build(module: Module) -> Result<BuiltFiles> {
     bindgen.input_path(compiled).web(true)?.typescript(true);
     bindgen.omit_default_module_path(true).remove_producers_section(true);
     let mut output = bindgen.generate_output().context("wasm-bindgen failed")?;
-    let wasm = optimized(&output.wasm_mut().emit_wasm(), optimization)?;
+    let wasm = output.wasm_mut().emit_wasm();
+    let wasm = if build == WasmBuild::Quick { wasm } else { optimized(&wasm, optimization)? };
     let (script, types) = (output.js().to_owned(), without_raw_exports(output.ts().unwrap_or_default()));
     Ok(BuiltFiles { name, wasm, script, types })
 }
