@@ -8,7 +8,7 @@ use striata_io::{Format, WriteOptions, to_bytes};
 /// Returns a file of a small mesh in every format, with its name.
 fn files() -> Vec<(String, Vec<u8>)> {
     let mut mesh = square_with_everything();
-    mesh.groups = vec![meshes::group("a", None, 0, 1), meshes::group("b", None, 1, 1)];
+    mesh.groups = vec![crate::meshes::group("a", None, 0, 1), crate::meshes::group("b", None, 1, 1)];
     let mut files: Vec<(String, Vec<u8>)> = Format::meshes()
         .map(|format| (format!("x.{}", format.extension()), written(format, &mesh)))
         .collect();
