@@ -1,6 +1,6 @@
 //! Damaged files of every format, truncated or with changed bytes, give an error or a consistent mesh.
 
-use crate::meshes::{read, sheet, square_with_everything, written};
+use crate::meshes::{self, read, sheet, square_with_everything, written};
 use proptest::prelude::*;
 use striata::mesh::{IndexedMesh, MeshError};
 use striata_io::{Format, WriteOptions, to_bytes};
@@ -8,7 +8,7 @@ use striata_io::{Format, WriteOptions, to_bytes};
 /// Returns a file of a small mesh in every format, with its name.
 fn files() -> Vec<(String, Vec<u8>)> {
     let mut mesh = square_with_everything();
-    mesh.groups = vec![crate::meshes::group("a", None, 0, 1), crate::meshes::group("b", None, 1, 1)];
+    mesh.groups = vec![meshes::group("a", None, 0, 1), meshes::group("b", None, 1, 1)];
     let mut files: Vec<(String, Vec<u8>)> = Format::meshes()
         .map(|format| (format!("x.{}", format.extension()), written(format, &mesh)))
         .collect();

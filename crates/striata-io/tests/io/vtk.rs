@@ -1,6 +1,6 @@
 //! VTK: legacy and XML files in all their encodings, and errors.
 
-use crate::meshes::{read, refused};
+use crate::meshes::{self, read, refused};
 use striata::mesh::{AttributeLayer, IndexedMesh, LayerData, Semantic};
 use striata_io::{Format, ReadError, Source, read_bytes_with_report};
 

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::meshes::{square, written};
+use crate::meshes::{self, square, written};
 use serde_json::Value;
 use striata::mesh::{AttributeLayer, IndexedMesh, Semantic};
 use striata_io::{
@@ -198,7 +198,7 @@ fn what_mtl_cannot_store_is_named() {
         ..Default::default()
     }];
     mesh.appearance.textures_json = vec![r#"{"source":0}"#.to_owned()];
-    mesh.groups = vec![crate::meshes::group("left", Some(0), 0, 1), crate::meshes::group("right", Some(1), 1, 1)];
+    mesh.groups = vec![meshes::group("left", Some(0), 0, 1), meshes::group("right", Some(1), 1, 1)];
     let folder = tempfile::tempdir().unwrap();
     let obj = warnings_of(&folder.path().join("a.obj"), &mesh);
     for what in [

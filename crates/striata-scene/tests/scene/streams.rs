@@ -1,5 +1,6 @@
 //! Streams of scenes: round trips, prefixes, precision, and damage of every kind.
 
+use crate::samples;
 use proptest::prelude::*;
 use serde_json::Value;
 use striata::LodOptions;

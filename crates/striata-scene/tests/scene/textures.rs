@@ -1,5 +1,5 @@
 //! Textures: re-encoding of images and scenes, previews, limits, and damaged images.
-use crate::samples::{encoded, ktx2, picture};
+use crate::samples::{self, encoded, ktx2, picture};
 use image::{ImageFormat as Format, RgbaImage};
 use serde_json::json;
 use striata_scene::textures::{
