@@ -80,15 +80,15 @@ enum MaintenanceTask {
 
 fn main() -> ExitCode {
     let outcome = match TaskCli::parse().task {
-        MaintenanceTask::Test { all: true } => test::run(test::Extent::All),
-        MaintenanceTask::Test { all: false } => test::run(test::Extent::Quick),
+        MaintenanceTask::Test { all: true } => test::run(steps::CheckExtent::All),
+        MaintenanceTask::Test { all: false } => test::run(steps::CheckExtent::Quick),
         MaintenanceTask::Bare => bare::run(),
         MaintenanceTask::Golden => golden::run(),
         MaintenanceTask::Gltf(args) => gltf::check(&args),
         MaintenanceTask::Browser => browser::run(),
         MaintenanceTask::Web { package: true } => web::prepare_library(web::WasmBuild::Published),
         MaintenanceTask::Web { package: false } => web::build(),
-        MaintenanceTask::WebCheck => web::check(test::Extent::All),
+        MaintenanceTask::WebCheck => web::check(steps::CheckExtent::All),
         MaintenanceTask::Py => py::run(),
         MaintenanceTask::Packages => packages::run(),
         MaintenanceTask::Release(args) => release::run(&args),

@@ -17,6 +17,15 @@ pub(crate) fn say(text: &str) {
     let _ = writeln!(stderr(), "{text}");
 }
 
+/// Which checks run.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum CheckExtent {
+    /// Those that every change must pass.
+    Quick,
+    /// Also those that few changes fail: everything that CONTRIBUTING.md lists.
+    All,
+}
+
 /// The steps run so far, with their times.
 #[derive(Debug, Default)]
 pub(crate) struct CiSteps {

@@ -8,7 +8,7 @@ use anyhow::Result;
 
 use crate::command::FULL;
 use crate::machine::{self, WASM_TARGET};
-use crate::steps::{self, CiSteps, cargo, say};
+use crate::steps::{self, CheckExtent, CiSteps, cargo, say};
 use crate::{bare, browser, golden, house, licenses, oldest_rust, packages, py, web};
 
 /// Crates and feature sets that must compile separately.
@@ -50,20 +50,11 @@ const FEATURES_ALONE: &[(&str, &str)] = &[
 /// The lab, which is a workspace of its own.
 const LAB: [&str; 2] = ["--manifest-path", "lab/Cargo.toml"];
 
-/// Which checks to run.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Extent {
-    /// What a change of the code must pass.
-    Quick,
-    /// Also what few changes break: everything that CONTRIBUTING.md lists.
-    All,
-}
-
 /// Runs the steps and stops at the first failure.
 ///
 /// # Errors
 /// The failure of that step.
-fn run_steps(steps: &mut CiSteps, extent: Extent) -> Result<()> {
+fn run_steps(steps: &mut CiSteps, extent: CheckExtent) -> Result<()> {
     // This comes first, since the next step may install libraries that a new machine lacks.
     steps.step("bare machines", bare::run)?;
     steps.step("machine", machine::prepare)?;
@@ -85,10 +76,10 @@ fn run_steps(steps: &mut CiSteps, extent: Extent) -> Result<()> {
     steps.step("golden", golden::run)?;
     steps.step("Python", py::run)?;
     steps.step("Chromium", browser::run_chromium)?;
-    if extent == Extent::All { run_rare_steps(steps) } else { Ok(()) }
+    if extent == CheckExtent::All { run_rare_steps(steps) } else { Ok(()) }
 }
 
-/// Runs the steps of [`Extent::All`].
+/// Runs the steps of [`CheckExtent::All`].
 ///
 /// # Errors
 /// The failure of the first step that fails.
@@ -114,7 +105,7 @@ fn run_rare_steps(steps: &mut CiSteps) -> Result<()> {
 ///
 /// # Errors
 /// The failure of the first step that fails.
-pub(crate) fn run(extent: Extent) -> Result<()> {
+pub(crate) fn run(extent: CheckExtent) -> Result<()> {
     let mut steps = CiSteps::default();
     run_steps(&mut steps, extent)?;
     say(&steps.summary());

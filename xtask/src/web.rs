@@ -26,8 +26,7 @@ use std::process::Command;
 use anyhow::{Context, Result, bail};
 
 use crate::machine::{self, WASM_TARGET};
-use crate::steps::{self, say};
-use crate::test::Extent;
+use crate::steps::{self, CheckExtent, say};
 use crate::workspace;
 use stamp::AssetStamp;
 use wasm::folder;
@@ -50,7 +49,7 @@ pub(crate) fn build() -> Result<()> {
     Ok(())
 }
 
-/// Builds the npm package, unless it exists and was built from the same sources. What is published also serves for tests.
+/// Builds the npm package, unless it exists and was built from the same sources. A published build also serves for tests.
 ///
 /// # Errors
 /// If a tool is missing or fails.
@@ -71,13 +70,13 @@ pub(crate) fn prepare_library(build: WasmBuild) -> Result<()> {
 ///
 /// # Errors
 /// If the viewer is out of date, or tests fail.
-pub(crate) fn check(extent: Extent) -> Result<()> {
+pub(crate) fn check(extent: CheckExtent) -> Result<()> {
     let stamp = AssetStamp::read(&viewer_stamp()).context(ADVICE)?;
     if let Some(missing) = missing_tool() {
         say(&format!("{missing}: the web package is neither built nor tested"));
         return print_notice(&stamp);
     }
-    if extent == Extent::Quick && stamp.is_fresh() {
+    if extent == CheckExtent::Quick && stamp.is_fresh() {
         prepare_library(WasmBuild::Quick)?;
         return machine::npm(&folder(), &["test"]);
     }

@@ -5,25 +5,7 @@ use striata::mesh::{Bounds, IndexedMesh, replay};
 use striata::simplify::{StopReason, Target};
 use striata::view::{DetailBox, ScreenError};
 
-use crate::{Assembled, PagedCut, PagedError, PagedFile, ViewCut};
-
-/// Pages and steps from which the last level of a paged file was made.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct ShownPages {
-    /// Number of pages whose vertices are in the level.
-    pub page_count: usize,
-    /// Number of steps in the pages that were read for it.
-    pub step_count: usize,
-}
-
-/// Levels that have been prepared, and facts about the last one.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct LevelState {
-    prepared: Option<Assembled>,
-    /// The targets for which it was prepared.
-    targets: Vec<Target>,
-    shown: ShownPages,
-}
+use crate::{PagedCut, PagedError, PagedFile, ShownPages, ViewCut};
 
 impl PagedFile {
     /// Returns the pages and steps from which the last level of [`Levels`] was made.

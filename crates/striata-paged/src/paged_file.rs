@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 
 use striata::simplify::Target;
 
-use crate::levels::LevelState;
 use crate::{
     Assembled, CutPages, Metadata, Page, PageBound, PageId, PagedError, PagedReader, Store, Want, assemble,
     open_store,
@@ -24,6 +23,26 @@ pub struct ReadStatistics {
     pub byte_count: u64,
     /// Number of pages.
     pub page_count: u64,
+}
+
+/// Pages and steps from which the last level of a paged file was made.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ShownPages {
+    /// Number of pages whose vertices are in the level.
+    pub page_count: usize,
+    /// Number of steps in the pages that were read for it.
+    pub step_count: usize,
+}
+
+/// Levels that have been prepared, and facts about the last one.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct LevelState {
+    /// The pages, if any are prepared.
+    pub prepared: Option<Assembled>,
+    /// The targets for which it was prepared.
+    pub targets: Vec<Target>,
+    /// Pages and steps of the last level.
+    pub shown: ShownPages,
 }
 
 /// A paged file, folder or address; only the pages that a level needs are read.

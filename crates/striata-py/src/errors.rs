@@ -76,3 +76,8 @@ pub(crate) fn os_error(error: &std::io::Error, file: String) -> PyErr {
         None => PyOSError::new_err(format!("{file}: {error}")),
     }
 }
+
+/// Warnings as texts with file and place.
+pub(crate) fn warning_texts(warnings: &[striata_io::Warning]) -> Vec<String> {
+    warnings.iter().map(ToString::to_string).collect()
+}

@@ -12,7 +12,7 @@ use striata_scene::glb_stream::{GlbStreamReadError, read_glb_with_stream_and_pro
 
 use crate::content::LoadedContent;
 use crate::decode::decoded;
-use crate::errors::{Outcome, cancelled, decode_error, os_error, read_error, write_error};
+use crate::errors::{Outcome, cancelled, decode_error, os_error, read_error, warning_texts, write_error};
 use crate::job;
 use crate::mesh::PyMeshData;
 use crate::paged::{PagedLodData, is_paged};
@@ -69,11 +69,6 @@ fn opened_scene(bytes: &[u8], source: &Source<'_>) -> Outcome<(LoadedContent, Ve
     let scene = striata_io::read_scene_bytes(bytes, source).map_err(read_error)?;
     let warnings = warning_texts(scene.warnings());
     Ok((LoadedContent::Scene(PySceneData::from(scene)), warnings))
-}
-
-/// Warnings as texts with file and place.
-pub(crate) fn warning_texts(warnings: &[striata_io::Warning]) -> Vec<String> {
-    warnings.iter().map(ToString::to_string).collect()
 }
 
 /// How files are written.

@@ -5,19 +5,17 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use striata::file::WriteOptions;
-use striata::{LodOptions, simplify::SimplifyError};
+use striata::{Cancelled, LodOptions, ProgressFn, simplify::SimplifyError};
 use striata_io::{Format, Scene, scene_losses, scene_to_bytes};
 use striata_scene::glb_stream::GlbStreamError;
-use striata_scene::stream::SceneStreamOptions;
+use striata_scene::stream::{SceneEncodeError, SceneStreamOptions, encode_scene_with_progress};
 use striata_scene::{GlbStreamOptions, LodScene};
 
-use crate::errors::{Outcome, cancelled, simplify_error, value_error, write_error};
-use crate::files::warning_texts;
+use crate::errors::{Outcome, cancelled, simplify_error, value_error, warning_texts, write_error};
 use crate::job;
 use crate::lod::LodData;
 use crate::mesh::{ImageTuple, PyMeshData, image_tuples};
 use crate::options::{SimplifyArguments, TargetArgument, reason};
-use crate::stream::scene_bytes;
 
 /// A glTF scene.
 #[pyclass(frozen, module = "striata._striata", name = "SceneData")]
@@ -222,5 +220,18 @@ impl LodSceneData {
             ))),
         })?;
         Ok(PyBytes::new(py, &bytes))
+    }
+}
+
+/// Encodes a scene in a worker.
+pub(crate) fn scene_bytes(
+    scene: &Scene,
+    options: &SceneStreamOptions,
+    progress: &mut ProgressFn<'_>,
+) -> Outcome<Vec<u8>> {
+    match encode_scene_with_progress(scene, options, progress) {
+        Ok(encoded) => Ok(encoded.bytes),
+        Err(SceneEncodeError::Cancelled) => Err(cancelled(Cancelled)),
+        Err(error) => Err(value_error(error)),
     }
 }

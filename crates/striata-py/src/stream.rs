@@ -5,12 +5,12 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use striata::Cancelled;
 use striata::file::DecodeError;
 use striata::mesh::IndexedMesh;
 use striata::simplify::{BatchOptions, build_batches_with_progress};
-use striata::{Cancelled, ProgressFn};
 use striata_io::Scene;
-use striata_scene::stream::{SceneEncodeError, SceneStreamOptions, encode_scene_with_progress};
+use striata_scene::stream::SceneStreamOptions;
 use striata_stream::{
     Effort, Precision, SHAPE_STEPS, StreamDecoder as Decoder, StreamError, StreamOptions,
     encode_stream_with_progress,
@@ -22,7 +22,7 @@ use crate::job;
 use crate::lod::LodData;
 use crate::mesh::{PyMeshData, file_points};
 use crate::options::choice;
-use crate::scene::PySceneData;
+use crate::scene::{PySceneData, scene_bytes};
 
 /// Precision as bits or a tolerance; lossless if neither is given. And the effort.
 type Quality = (Option<u32>, Option<f64>, String);
@@ -73,19 +73,6 @@ pub(crate) fn encode_scene<'py>(
     let bytes =
         job::run(py, size, progress.as_ref(), move |progress| scene_bytes(&scene, &options, progress))?;
     Ok(PyBytes::new(py, &bytes))
-}
-
-/// Encodes a scene in a worker.
-pub(crate) fn scene_bytes(
-    scene: &Scene,
-    options: &SceneStreamOptions,
-    progress: &mut ProgressFn<'_>,
-) -> Outcome<Vec<u8>> {
-    match encode_scene_with_progress(scene, options, progress) {
-        Ok(encoded) => Ok(encoded.bytes),
-        Err(SceneEncodeError::Cancelled) => Err(cancelled(Cancelled)),
-        Err(error) => Err(value_error(error)),
-    }
 }
 
 fn stream_error(error: StreamError) -> PyErr {

@@ -8,19 +8,23 @@
 //!
 //! | file | what it does |
 //! | --- | --- |
+//! | `counts.rs` | numbers at the beginning of a page |
 //! | `order.rs` | the order in which triangles and vertices are numbered: [`Page::normalize`] |
 //! | `lattice.rs` | the lattice that all positions of the page lie on |
 //! | `border.rs` | open edges of the region that has been coded |
 //! | `triangles.rs` | the traversal of all triangles, for both directions |
 //! | `wedges.rs` | vertices of each position |
+//! | `vertex_models.rs` | models of everything about vertices |
 //! | `vertices.rs` | positions, attributes, keys, errors and imports of new corners |
 //! | `targets.rs` | targets of owned vertices |
 
 mod border;
+mod counts;
 mod lattice;
 mod order;
 mod targets;
 mod triangles;
+mod vertex_models;
 mod vertices;
 mod wedges;
 
@@ -28,7 +32,8 @@ use striata_stream::entropy::{Coder, RangeReader, RangeWriter};
 
 use crate::bytes::{put_varint, take_varint};
 use crate::error::{PageDefect, PagedError};
-use crate::{Import, Metadata, Page, PageId};
+use crate::{Metadata, Page, PageId};
+use counts::PageCounts;
 use lattice::Lattice;
 use triangles::{CodedShape, TriangleCoder};
 
@@ -67,34 +72,6 @@ impl Page {
         let page = decode(id, bytes, metadata).map_err(|defect| PagedError::Page { id, defect })?;
         page.check(metadata)?;
         Ok(page)
-    }
-}
-
-/// Counts and lattice at the start of a page.
-pub(super) struct PageCounts {
-    positions: usize,
-    vertices: usize,
-    imports: usize,
-    triangles: usize,
-    /// Pages of imports, ascending.
-    pages: Vec<u32>,
-    /// Coarsest lattice that contains all positions.
-    lattice: Lattice,
-}
-
-impl PageCounts {
-    fn of(page: &Page, metadata: &Metadata) -> Self {
-        let mut pages: Vec<u32> = page.imports.iter().map(|import| import.page).collect();
-        pages.sort_unstable();
-        pages.dedup();
-        Self {
-            positions: page.first.len().saturating_sub(1),
-            vertices: page.positions.len(),
-            imports: page.imports.len(),
-            triangles: page.triangles.len(),
-            pages,
-            lattice: Lattice::of(page, metadata),
-        }
     }
 }
 
@@ -198,6 +175,3 @@ impl CodedShape {
         })
     }
 }
-
-/// Placeholder of an import that has not been named yet.
-const UNKNOWN: Import = Import { page: 0, vertex: 0 };

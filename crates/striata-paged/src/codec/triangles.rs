@@ -6,9 +6,9 @@ use striata::simplify::cells::CellMesh;
 use striata_stream::entropy::{AdaptiveBit, Coder, QuickNumber, Rate, code_uniform};
 
 use super::border::{Border, Gate};
-use super::vertices::{VertexModels, VertexSite};
+use super::counts::{PageCounts, UNKNOWN};
+use super::vertex_models::{VertexModels, VertexSite};
 use super::wedges::PageWedges;
-use super::{PageCounts, UNKNOWN};
 use crate::error::PageDefect;
 use crate::{Import, Metadata, Page, PageId};
 

@@ -1,66 +1,18 @@
 //! Codes the vertex of a new corner: an import, or the position, attributes, key and error of an owned vertex.
 
 use striata::mesh::LayerData;
-use striata_stream::entropy::{AdaptiveBit, Coder, QuickNumber, Rate};
+use striata_stream::entropy::{Coder, QuickNumber};
 
 use super::lattice::{from_ordered, from_ordered_double, ordered, ordered_double};
 use super::triangles::{CodedShape, TriangleCoder};
+use super::vertex_models::VertexSite;
 use crate::metadata::index_of;
-use crate::{Import, Metadata, Page, PagedLayer};
+use crate::{Import, Page, PagedLayer};
 
 /// Number of low bits of keys and errors that are always zero.
 const KEY_BITS: u32 = 18;
 const ERROR_BITS: u32 = 17;
 const UNMET: u32 = u32::MAX;
-
-/// Adaptive models for the data of vertices.
-pub(super) struct VertexModels {
-    /// One context per axis and quality of the prediction.
-    positions: QuickNumber,
-    /// One context per component of each layer, for known neighbors and without.
-    layers: QuickNumber,
-    same_page: AdaptiveBit,
-    page: QuickNumber,
-    import: QuickNumber,
-    keys: QuickNumber,
-    errors: QuickNumber,
-    /// Coordinates of positions in units of the lattice.
-    places: Vec<[i64; 3]>,
-    /// Vertex that was last imported from each page.
-    last_imports: Vec<u32>,
-    last_slot: usize,
-    key_classes: Vec<i32>,
-    error_classes: Vec<i32>,
-}
-
-impl VertexModels {
-    pub(super) fn new(metadata: &Metadata) -> Self {
-        let components: usize = metadata.layers.iter().map(|layer| layer.component_count as usize).sum();
-        Self {
-            positions: QuickNumber::new(9, Rate::Steady),
-            layers: QuickNumber::new(2 * components, Rate::Steady),
-            same_page: AdaptiveBit::new(Rate::Quick),
-            page: QuickNumber::new(1, Rate::Quick),
-            import: QuickNumber::new(3, Rate::Steady),
-            keys: QuickNumber::new(2, Rate::Steady),
-            errors: QuickNumber::new(2, Rate::Steady),
-            places: Vec::new(),
-            last_imports: Vec::new(),
-            last_slot: 0,
-            key_classes: Vec::new(),
-            error_classes: Vec::new(),
-        }
-    }
-}
-
-/// Position of a vertex that is coded.
-#[derive(Clone, Copy)]
-pub(super) struct VertexSite {
-    /// Its position; `None` for a new one.
-    pub node: Option<u32>,
-    /// Vertices near a new position.
-    pub near: [u32; 3],
-}
 
 impl TriangleCoder<'_> {
     /// Codes an owned vertex: of a known position, or of a new one near some vertices.

@@ -4,7 +4,7 @@ use striata::mesh::RefinableMesh;
 use striata::model::{ModelError, StepVertices, check_strips};
 use striata::strip::StripSet;
 
-use super::resizes::Winding;
+use super::resizes::{Winding, has_triangle};
 use super::{EfficientLodStrips, RecordChange, VertexChange};
 
 impl EfficientLodStrips {
@@ -122,9 +122,4 @@ fn note(strips: &mut Vec<u32>, strip: u32) {
     if strips.last() != Some(&strip) {
         strips.push(strip);
     }
-}
-
-/// Whether a strip draws anything.
-pub(super) fn has_triangle(strip: &[u32]) -> bool {
-    strip.windows(3).any(|w| w[0] != w[1] && w[1] != w[2] && w[2] != w[0])
 }

@@ -31,7 +31,7 @@ pub use resizes::Winding;
 use striata::model::{DrawCounts, LodModel, PartBytes, StepVertices, Topology, join_strips};
 use striata::strip::StripSet;
 
-use self::build::has_triangle;
+use self::resizes::has_triangle;
 use crate::paper_bytes::{Accounting, PaperBytes};
 
 /// Range of the records of a collapse: one record for each strip that it changes.

@@ -58,6 +58,11 @@ impl Winding {
     }
 }
 
+/// Whether a strip draws anything.
+pub(super) fn has_triangle(strip: &[u32]) -> bool {
+    strip.windows(3).any(|w| w[0] != w[1] && w[1] != w[2] && w[2] != w[0])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -3,8 +3,8 @@
 use striata::mesh::{NO_TWIN, Random};
 use striata::strip::{StripLinks, next_side, prev_side};
 
+use super::options::{FindTunnels, TunnelOptions};
 use super::path_search::{PathSearch, PathStep};
-use super::{FindTunnels, TunnelOptions};
 
 /// Search that changes nothing until it has found a tunnel.
 pub(super) struct StaticTunnels {

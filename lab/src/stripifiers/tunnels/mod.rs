@@ -20,6 +20,7 @@
 
 mod dynamic;
 mod fixed;
+mod options;
 mod path_search;
 
 use striata::mesh::{Random, is_proper};
@@ -27,62 +28,9 @@ use striata::strip::StripLinks;
 
 use dynamic::DynamicTunnels;
 use fixed::StaticTunnels;
+use options::FindTunnels;
 
-/// How a search knows the strips of triangles.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Identities {
-    /// Identities follow every step of the search \[PS03\].
-    Dynamic,
-    /// Identities are those of the beginning of the search \[Ste01\]; tunnels that close a loop are discarded.
-    Static,
-}
-
-/// How often a search may visit a triangle.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Visits {
-    /// Once in the whole search.
-    OncePerSearch,
-    /// Once on each path. After 1,000 moving ends once in the whole search, because the number of paths
-    /// doubles with every second link.
-    OncePerPath,
-}
-
-/// In which order ends are searched from, which \[PS03\] leaves open.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum EndOrder {
-    /// Each end once, in random order, and again until none has a tunnel.
-    Random,
-    /// The same, but longer tunnels are searched only once no end has a shorter one.
-    ShortestFirst,
-    /// After a tunnel from the ends of the strip that it has made, as long as they have one.
-    SameStrip,
-}
-
-/// Options of [`join_along_tunnels`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TunnelOptions {
-    /// Length of the longest tunnel, in links; an even number acts as the odd one below it.
-    pub max_length: u32,
-    /// In which order ends are searched from.
-    pub order: EndOrder,
-    /// How a search knows the strips of triangles.
-    pub identities: Identities,
-    /// How often a search may visit a triangle.
-    pub visits: Visits,
-    /// Seed of the order of ends, and of the first link that a search crosses.
-    pub seed: u64,
-}
-
-impl TunnelOptions {
-    fn search(&self, links: &StripLinks<'_>) -> Box<dyn FindTunnels> {
-        let mut tunnels: Box<dyn FindTunnels> = match self.identities {
-            Identities::Dynamic => Box::new(DynamicTunnels::new(links, self)),
-            Identities::Static => Box::new(StaticTunnels::new(links, self)),
-        };
-        tunnels.set_max_length(self.max_length);
-        tunnels
-    }
-}
+pub use options::{EndOrder, Identities, TunnelOptions, Visits};
 
 /// Counts of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -97,16 +45,14 @@ pub struct TunnelReport {
     pub loop_count: usize,
 }
 
-/// A search for tunnels that changes links.
-trait FindTunnels {
-    /// Sets the length of the longest tunnel, in links.
-    fn set_max_length(&mut self, max_length: u32);
-
-    /// Applies the shortest tunnel from the end of a strip. Returns whether there was one.
-    fn apply_shortest(&mut self, start: u32, links: &mut StripLinks<'_>, random: &mut Random) -> bool;
-
-    /// Number of tunnels that were discarded because of a loop.
-    fn loop_count(&self) -> usize;
+/// Starts a search.
+fn search(options: &TunnelOptions, links: &StripLinks<'_>) -> Box<dyn FindTunnels> {
+    let mut tunnels: Box<dyn FindTunnels> = match options.identities {
+        Identities::Dynamic => Box::new(DynamicTunnels::new(links, options)),
+        Identities::Static => Box::new(StaticTunnels::new(links, options)),
+    };
+    tunnels.set_max_length(options.max_length);
+    tunnels
 }
 
 /// Joins strips along tunnels until no end has one; the links may contain strips already, but no loops.
@@ -120,7 +66,7 @@ pub fn join_along_tunnels(
     links: &mut StripLinks<'_>,
     options: &TunnelOptions,
 ) -> TunnelReport {
-    let mut tunnels = options.search(links);
+    let mut tunnels = search(options, links);
     let mut random = Random::new(options.seed);
     let mut report = TunnelReport::default();
     let mut max_length = if options.order == EndOrder::ShortestFirst { 1 } else { options.max_length };
@@ -161,7 +107,7 @@ pub fn join_along_one_tunnel(
     options: &TunnelOptions,
 ) -> Option<Vec<u32>> {
     let before = links.clone();
-    let mut tunnels = options.search(links);
+    let mut tunnels = search(options, links);
     let mut random = Random::new(options.seed);
     let mut ends = shuffled_ends(triangles, links, &mut random).into_iter();
     ends.find(|&end| tunnels.apply_shortest(end, links, &mut random))?;

@@ -2,7 +2,7 @@
 
 use striata::mesh::NO_TWIN;
 
-use super::{TunnelOptions, Visits};
+use super::options::{TunnelOptions, Visits};
 
 /// Number of moving ends after which [`Visits::OncePerPath`] visits no triangle twice.
 const PATH_NODE_LIMIT: usize = 1000;
