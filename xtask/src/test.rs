@@ -6,7 +6,7 @@
 
 use anyhow::Result;
 
-use crate::command::FULL;
+use crate::command::{FULL, built_command};
 use crate::machine::{self, WASM_TARGET};
 use crate::steps::{self, CheckExtent, CiSteps, cargo, say};
 use crate::{bare, browser, golden, house, licenses, oldest_rust, packages, py, web};
@@ -61,7 +61,7 @@ fn run_steps(steps: &mut CiSteps, extent: CheckExtent) -> Result<()> {
     steps.step("format", check_format)?;
     steps.step("shape of the code", || house::check(false))?;
     steps.step("clippy", || lint(&["--workspace", "--features", FULL]))?;
-    steps.step("tests and doc tests", || test(&["--workspace", "--features", FULL]))?;
+    steps.step("tests and doc tests", || test(&["--workspace", "--features", FULL], extent))?;
     steps.step("documentation", || {
         let arguments = ["doc", "--workspace", "--no-deps", "--features", FULL];
         steps::run(cargo(&arguments).env("RUSTDOCFLAGS", "-D warnings"))
@@ -87,7 +87,7 @@ fn run_rare_steps(steps: &mut CiSteps) -> Result<()> {
     steps.step("Firefox", browser::run_firefox)?;
     steps.step("lab", || {
         lint(&[&LAB[..], &["--features", "peers"]].concat())?;
-        test(&LAB)
+        test(&LAB, CheckExtent::All)
     })?;
     steps.step("each feature alone", check_features)?;
     match oldest_rust::obstacle() {
@@ -125,10 +125,14 @@ fn lint(subject: &[&str]) -> Result<()> {
     steps::run(&mut cargo(&[&["clippy", "--all-targets"], subject, &["--", "-D", "warnings"]].concat()))
 }
 
-/// Runs the tests of what the arguments name.
-fn test(subject: &[&str]) -> Result<()> {
+/// Runs the tests of what the arguments name; those that run many commands use the optimized one.
+fn test(subject: &[&str], extent: CheckExtent) -> Result<()> {
+    let mut command = cargo(&[&["test"], subject].concat());
+    if extent == CheckExtent::All {
+        command.env("STRIATA_TEST_ALL", "1");
+    }
     // Mesa's device selection layer looks for a Wayland display, and prints errors if there is none.
-    steps::run(cargo(&[&["test"], subject].concat()).env("NODEVICE_SELECT", "1"))
+    steps::run(command.env("NODEVICE_SELECT", "1").env("STRIATA_OPTIMIZED", built_command()?))
 }
 
 fn check_features() -> Result<()> {

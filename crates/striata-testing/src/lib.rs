@@ -2,6 +2,7 @@
 
 #![expect(missing_docs, reason = "only used by tests, and the names describe the meshes")]
 
+mod extent;
 pub mod gltf_check;
 pub mod levels;
 pub mod meshes;
@@ -11,6 +12,8 @@ pub mod server;
 pub mod simplifier;
 pub mod strange;
 pub mod support;
+
+pub use extent::{cases, large};
 
 /// The examples of the repository's README, compiled as doc tests.
 #[cfg(doctest)]

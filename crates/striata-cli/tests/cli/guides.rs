@@ -40,9 +40,15 @@ fn folder() -> Workbench {
     bench
 }
 
+/// The command under test: an optimized one if the environment names one, since the guides take a while.
+fn command() -> PathBuf {
+    let optimized = std::env::var_os("STRIATA_OPTIMIZED").map(PathBuf::from);
+    optimized.unwrap_or_else(|| assert_cmd::cargo::cargo_bin("striata"))
+}
+
 /// Runs a block of commands in a shell that finds the tested `striata` first and stops at the first failure.
 fn run_in_shell(bench: &Workbench, commands: &str) -> Output {
-    let program = assert_cmd::cargo::cargo_bin("striata");
+    let program = command();
     let own = program.parent().expect("a program is in a folder").to_path_buf();
     let others = std::env::var_os("PATH").unwrap_or_default();
     let path =
@@ -103,7 +109,7 @@ fn commands_that_stay_open_are_serve_and_view_with_files_that_the_guide_has_made
 #[test]
 fn the_server_of_the_guides_starts() {
     let bench = folder();
-    let program = assert_cmd::cargo::cargo_bin("striata");
+    let program = command();
     let server = striata_testing::server::Server::start(&program, &bench.path("."), &[]);
     assert_eq!(server.report["models"], 3);
 }

@@ -126,7 +126,7 @@ fn files_are_written_and_read_by_path() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1500))]
+    #![proptest_config(striata_testing::cases(1500))]
 
     #[test]
     fn changed_bytes_are_an_error_or_a_consistent_mesh(

@@ -205,14 +205,18 @@ fn image_paths_stay_in_the_folder() {
     survives(&found);
 }
 
-/// Returns a file with a million nodes.
+/// A number of nodes that no recursion survives.
+fn many() -> usize {
+    striata_testing::large(1_000_000)
+}
+
+/// Returns a file with that many nodes.
 fn with_nodes(mesh: &IndexedMesh, roots: &str, node: impl Fn(usize) -> String) -> Vec<u8> {
-    const COUNT: usize = 1_000_000;
     let mut scene = scenes::empty();
     scene.push_mesh("mesh", mesh);
     scene.document["nodes"] = json!("NODES");
     scene.document["scenes"] = json!([{ "nodes": "ROOTS" }]);
-    let nodes: Vec<String> = (0..COUNT).map(node).collect();
+    let nodes: Vec<String> = (0..many()).map(node).collect();
     let nodes = format!("[{}]", nodes.join(","));
     scene.to_glb_with(&[("NODES", nodes), ("ROOTS", roots.to_owned())])
 }
@@ -223,29 +227,33 @@ fn triangle() -> IndexedMesh {
 
 #[test]
 fn chains_of_a_million_nodes_do_not_overflow_the_stack() {
+    let end = many() - 1;
     let node = |i: usize| match i {
-        999_999 => r#"{"mesh":0}"#.to_owned(),
+        _ if i == end => r#"{"mesh":0}"#.to_owned(),
         _ => format!(r#"{{"children":[{}],"translation":[0.5,0,0]}}"#, i + 1),
     };
     let glb = with_nodes(&triangle(), "[0]", node);
     let scene = read_scene_bytes(&glb, &Source::new("scene.glb")).unwrap();
     let [instance] = scene.instances() else { panic!("the last node shows the mesh") };
-    assert_eq!(instance.transform[12], 499_999.5);
+    assert_eq!(instance.transform[12], end as f64 / 2.0);
     let bytes = scene_to_bytes(Format::Glb, &scene, &WriteOptions::default()).unwrap();
     drop(scene);
-    assert_eq!(read_bytes(&bytes, &Source::new("x.glb")).unwrap().file_position(0), [499_999.5, 0.0, 0.0]);
+    assert_eq!(
+        read_bytes(&bytes, &Source::new("x.glb")).unwrap().file_position(0),
+        [end as f64 / 2.0, 0.0, 0.0]
+    );
 }
 
 #[test]
 fn a_million_nodes_may_show_one_mesh() {
-    let roots: Vec<String> = (0..1_000_000).map(|i| i.to_string()).collect();
+    let roots: Vec<String> = (0..many()).map(|i| i.to_string()).collect();
     let node = |i: usize| format!(r#"{{"mesh":0,"translation":[{i},0,0]}}"#);
     let glb = with_nodes(&triangle(), &format!("[{}]", roots.join(",")), node);
     let scene = read_scene_bytes(&glb, &Source::new("scene.glb")).unwrap();
-    assert_eq!((scene.instances().len(), scene.triangle_count()), (1_000_000, 1_000_000));
-    assert_eq!(scene.bounds().unwrap().max, [1_000_000.0, 1.0, 0.0]);
+    assert_eq!((scene.instances().len(), scene.triangle_count()), (many(), many()));
+    assert_eq!(scene.bounds().unwrap().max, [many() as f32, 1.0, 0.0]);
     drop(scene);
-    assert_eq!(read_bytes(&glb, &Source::new("x.glb")).unwrap().triangle_count(), 1_000_000);
+    assert_eq!(read_bytes(&glb, &Source::new("x.glb")).unwrap().triangle_count(), many());
 }
 
 #[test]

@@ -220,7 +220,7 @@ fn views_are_extracted_exactly_and_drawn_like_their_lists() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..striata_testing::cases(24) })]
 
     #[test]
     fn random_soups_are_extracted_exactly(triangle_count in 1u32..120, seed in 0u64..1000) {

@@ -93,7 +93,7 @@ fn small_moves_upload_little() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 12, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..striata_testing::cases(12) })]
 
     #[test]
     fn random_walks_on_soups(triangle_count in 1u32..200, seed in 0u64..1000) {

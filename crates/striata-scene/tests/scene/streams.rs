@@ -595,7 +595,7 @@ fn a_document_that_contradicts_its_table_is_refused() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(striata_testing::cases(24))]
 
     #[test]
     fn pieces_of_any_size_give_the_same_scene(sizes in prop::collection::vec(1usize..700, 1..40)) {

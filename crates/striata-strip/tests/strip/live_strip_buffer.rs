@@ -145,7 +145,7 @@ fn owned_strips_go_on_where_borrowed_ones_were() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..striata_testing::cases(64) })]
 
     /// Whatever the jumps: a copy that only gets the changed ranges equals the buffer and draws the level.
     #[test]

@@ -282,7 +282,7 @@ fn writer_errors_and_cancellation_end_the_work() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(striata_testing::cases(60))]
 
     #[test]
     fn soups_keep_their_triangles(

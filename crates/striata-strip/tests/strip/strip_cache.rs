@@ -145,7 +145,7 @@ fn naive_misses(indices: &[u32], cache_size: usize, is_lru: bool) -> usize {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(striata_testing::cases(64))]
 
     #[test]
     fn miss_counts_match_plain_lists(

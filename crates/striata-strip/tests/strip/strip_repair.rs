@@ -241,7 +241,7 @@ fn mismatched_strips_and_meshes_are_refused() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..striata_testing::cases(96) })]
 
     #[test]
     fn random_meshes_follow_the_oracle_at_every_level(

@@ -144,7 +144,7 @@ fn strips_do_not_cross_groups() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
+    #![proptest_config(striata_testing::cases(48))]
 
     #[test]
     fn random_soups_are_covered(seed in any::<u64>(), vertices in 3u32..30, triangles in 0u32..80) {
@@ -247,7 +247,7 @@ fn bounds_hold_on_small_shapes() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
+    #![proptest_config(striata_testing::cases(64))]
 
     #[test]
     fn bounds_hold_on_random_soups(seed in any::<u64>(), vertices in 5u32..12, triangles in 1u32..13) {

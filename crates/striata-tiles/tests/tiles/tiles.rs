@@ -483,7 +483,7 @@ fn nasty_meshes_become_valid_tilesets() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..striata_testing::cases(24) })]
 
     /// Sheets with two sides, far away, tiny, or with vertices exactly on planes.
     #[test]

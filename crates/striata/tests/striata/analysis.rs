@@ -162,7 +162,7 @@ fn each_defect_is_reported_on_its_own_line() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(64))]
+    #![proptest_config(striata_testing::cases(64))]
 
     #[test]
     fn soups_are_described(triangle_count in 0u32..120, seed: u64) {
@@ -271,7 +271,7 @@ mod distance {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(64))]
+        #![proptest_config(striata_testing::cases(64))]
 
         #[test]
         fn the_tree_finds_the_nearest_triangle(triangle_count in 1u32..200, seed: u64) {

@@ -27,7 +27,7 @@ fn refinable_asset(piece_count: usize, seed: u64, cost: usize) -> RefinableMesh 
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(striata_testing::cases(24))]
 
     #[test]
     fn strip_models_follow_the_oracle(pieces in 1usize..7, seed: u64, cost in 0..CostFunction::ALL.len()) {

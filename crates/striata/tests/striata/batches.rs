@@ -189,7 +189,7 @@ fn batches_satisfy_the_guarantees_with_every_cost() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(150))]
+    #![proptest_config(striata_testing::cases(150))]
 
     #[test]
     fn batches_satisfy_the_guarantees_on_soups(

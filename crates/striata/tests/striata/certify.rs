@@ -131,7 +131,7 @@ fn errors_hold_for_all_kinds_of_meshes_in_random_order() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(striata_testing::cases(100))]
 
     #[test]
     fn errors_hold_for_soups(case in soups()) {

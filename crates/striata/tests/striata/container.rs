@@ -417,9 +417,7 @@ fn strips_are_stored_once_for_all_models() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 1500, failure_persistence: None, ..ProptestConfig::default()
-    })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..striata_testing::cases(1500) })]
 
     #[test]
     fn damage_with_valid_checksums_is_an_error_or_a_valid_mesh(

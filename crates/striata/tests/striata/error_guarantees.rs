@@ -163,7 +163,7 @@ fn estimates_on_assets_are_accurate() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 48, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..striata_testing::cases(48) })]
 
     #[test]
     fn certified_errors_hold_on_assets(pieces in 1usize..6, seed: u64, cost in 0..CostFunction::ALL.len()) {

@@ -217,7 +217,7 @@ fn an_instance_of_another_table_is_not_written() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 128, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..striata_testing::cases(128) })]
 
     #[test]
     fn every_form_of_random_meshes_is_the_same_triangles(case in soups()) {

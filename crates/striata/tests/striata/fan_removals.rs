@@ -262,7 +262,7 @@ fn read_everything(bytes: &[u8]) -> Result<(), DecodeError> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..striata_testing::cases(300) })]
 
     #[test]
     fn soups_as_fragments_follow_the_oracle(case in soups()) {

@@ -109,9 +109,7 @@ fn memory_is_reused() {
 }
 
 proptest::proptest! {
-    #![proptest_config(proptest::prelude::ProptestConfig {
-        cases: 64, failure_persistence: None, ..Default::default()
-    })]
+    #![proptest_config(proptest::prelude::ProptestConfig { failure_persistence: None, ..striata_testing::cases(64) })]
 
     #[test]
     fn random_meshes_are_followed(case in soups()) {

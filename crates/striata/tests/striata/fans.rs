@@ -130,7 +130,7 @@ fn an_instance_is_one_bit_a_step() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 192, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..striata_testing::cases(192) })]
 
     #[test]
     fn random_meshes_follow_the_oracle(case in soups()) {

@@ -283,7 +283,7 @@ fn random_triangulation(n: i32, flip_count: usize, seed: u64) -> (Vec<[i32; 2]>,
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
+    #![proptest_config(striata_testing::cases(12))]
 
     #[test]
     fn random_triangulations_of_a_square_stay_flat(seed in any::<u64>(), flip_count in 0usize..300) {

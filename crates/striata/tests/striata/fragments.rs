@@ -35,7 +35,7 @@ fn all_kinds_of_meshes_keep_their_levels() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(striata_testing::cases(200))]
 
     #[test]
     fn soups_keep_their_levels(case in soups()) {

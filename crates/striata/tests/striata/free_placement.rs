@@ -365,7 +365,7 @@ fn parts_are_kept_if_requested() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(striata_testing::cases(24))]
 
     #[test]
     fn every_target_is_reached_on_assets(pieces in 1usize..9, seed: u64) {

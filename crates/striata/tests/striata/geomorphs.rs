@@ -364,7 +364,7 @@ fn a_jump_is_immediately_at_rest() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..striata_testing::cases(96) })]
 
     #[test]
     fn random_meshes_morph_without_jumps(case in soups(), frame_count in 1u16..6) {

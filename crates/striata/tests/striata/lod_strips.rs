@@ -214,7 +214,7 @@ fn strips_of_another_mesh_are_rejected() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 96, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..striata_testing::cases(96) })]
 
     #[test]
     fn random_meshes_follow_the_oracle_at_every_level(case in soups()) {

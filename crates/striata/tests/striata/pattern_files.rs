@@ -217,7 +217,7 @@ fn patterns_with_too_many_triangles_are_not_written() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(500))]
+    #![proptest_config(striata_testing::cases(500))]
 
     #[test]
     fn damaged_patterns_are_an_error_or_patterns_without_cracks(

@@ -102,7 +102,7 @@ fn removals_with_any_triangulation_follow_the_oracle() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(160))]
+    #![proptest_config(striata_testing::cases(160))]
 
     #[test]
     fn soups_follow_the_oracle(case in soups()) {

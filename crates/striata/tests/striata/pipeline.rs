@@ -131,7 +131,7 @@ fn large_surfaces_follow_the_oracle_at_a_spread_of_levels() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(32))]
+    #![proptest_config(striata_testing::cases(32))]
 
     #[test]
     fn random_soups_in_patches_go_all_the_way(count in 1u32..120, run in 1usize..9, seed: u64) {

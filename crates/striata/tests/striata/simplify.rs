@@ -282,7 +282,7 @@ fn the_same_input_gives_the_same_bytes() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(48))]
+    #![proptest_config(striata_testing::cases(48))]
 
     #[test]
     fn random_soups_satisfy_the_guarantees(count in 1u32..160, seed: u64, cost in 0..CostFunction::ALL.len()) {

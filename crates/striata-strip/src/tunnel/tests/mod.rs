@@ -227,7 +227,7 @@ fn meshes() -> Vec<(&'static str, IndexedMesh)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, ..ProptestConfig::default() })]
+    #![proptest_config(striata_testing::cases(64))]
 
     /// The trace knows the strips of all triangles after any steps, without pushing identities.
     #[test]

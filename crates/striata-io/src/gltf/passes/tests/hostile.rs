@@ -49,7 +49,7 @@ fn strange() -> impl Strategy<Value = Value> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(if cfg!(debug_assertions) { 400 } else { 4000 }))]
+    #![proptest_config(striata_testing::cases(if cfg!(debug_assertions) { 400 } else { 4000 }))]
 
     #[test]
     fn strange_values_are_survived(

@@ -64,7 +64,7 @@ fn every_truncation_is_survived() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(600))]
+    #![proptest_config(striata_testing::cases(600))]
 
     #[test]
     fn changed_bytes_are_survived(

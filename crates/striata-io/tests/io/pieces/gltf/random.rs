@@ -168,7 +168,7 @@ fn push_nodes(scene: &mut TestScene, mesh_count: usize, random: &mut Random) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(striata_testing::cases(400))]
 
     #[test]
     fn random_scenes_are_the_same_in_pieces(seed in any::<u64>(), size in 1u32..200) {
