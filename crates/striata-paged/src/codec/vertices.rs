@@ -1,7 +1,7 @@
 //! Codes the vertex of a new corner: an import, or the position, attributes, key and error of an owned vertex.
 
 use striata::mesh::LayerData;
-use striata_stream::entropy::{Coder, QuickNumber};
+use striata_stream::entropy::{Coder, QuickNumber, Rate};
 
 use super::lattice::{from_ordered, from_ordered_double, ordered, ordered_double};
 use super::triangles::{CodedShape, TriangleCoder};
