@@ -104,7 +104,13 @@ impl<'a> GltfDocument<'a> {
         let at = self.item("bufferViews", index, from)?;
         let stride = stride(&at)?;
         let bytes = match self.packed(&at) {
-            Some(packed) => self.unpacked.view(index, || meshopt::decompressed(self, &at, &packed))?,
+            Some(packed) => {
+                let source = |bytes| {
+                    let range = self.range(&packed)?;
+                    self.unpacked.claim(bytes, self.input_bytes, &packed).map(|()| range)
+                };
+                self.unpacked.view(index, || meshopt::decompressed(&at, &packed, source))?
+            }
             None => self.range(&at)?,
         };
         Ok((bytes, stride))

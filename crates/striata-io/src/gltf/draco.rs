@@ -3,9 +3,10 @@
 use striata::mesh::Semantic;
 
 use super::accessor::Accessor;
+use super::component_type::GltfComponentType;
 use super::compression::{self, GeometryCompression};
 use super::document::GltfDocument;
-use super::draco_mesh::{self, DracoMesh};
+use super::draco_mesh::{self, DracoAttribute, DracoMesh};
 use super::json::JsonNode;
 use super::semantics::semantic;
 use crate::error::Fault;
@@ -82,6 +83,23 @@ impl<'a> DracoLink<'a> {
 
     fn mesh<'d>(&self, document: &'d GltfDocument<'_>) -> Result<&'d DracoMesh, Fault> {
         let (source, _) = document.view(self.view, &self.at)?;
-        document.unpacked.draco_mesh(self.view, || draco_mesh::decoded(document, source, &self.at))
+        let unpacked = &document.unpacked;
+        let bytes_left = unpacked.bytes_left(document.input_bytes);
+        let claim = |bytes| unpacked.claim(bytes, document.input_bytes, &self.at);
+        unpacked.draco_mesh(self.view, || draco_mesh::decoded(source, &self.at, bytes_left, claim))
+    }
+}
+
+impl DracoMesh {
+    /// Returns the indices of all triangles.
+    pub(super) fn indices(&self, path: &str) -> Accessor<'_> {
+        Accessor::packed(self.index_count, [1, 4], GltfComponentType::U32, &self.indices, path)
+    }
+
+    /// Returns an attribute, if there is one of this identifier.
+    pub(super) fn attribute(&self, id: u32, path: &str) -> Option<Accessor<'_>> {
+        let DracoAttribute { component, component_count, bytes } = self.attributes.get(&id)?;
+        let shape = [*component_count, component_count * component.bytes()];
+        Some(Accessor::packed(self.point_count, shape, *component, bytes, path))
     }
 }

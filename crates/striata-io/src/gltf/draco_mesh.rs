@@ -5,29 +5,27 @@
 
 use std::collections::BTreeMap;
 
-use super::accessor::Accessor;
 use super::component_type::GltfComponentType;
-use super::document::GltfDocument;
 use super::json::JsonNode;
 use crate::error::Fault;
 
 /// Decoded mesh.
 #[derive(Debug, Default)]
 pub(crate) struct DracoMesh {
-    point_count: usize,
-    index_count: usize,
+    pub point_count: usize,
+    pub index_count: usize,
     /// Indices in 32 bits, three for each triangle.
-    indices: Vec<u8>,
+    pub indices: Vec<u8>,
     /// Attributes by their unique identifiers.
-    attributes: BTreeMap<u32, DracoAttribute>,
+    pub attributes: BTreeMap<u32, DracoAttribute>,
 }
 
 /// Attribute of every point.
 #[derive(Debug)]
-struct DracoAttribute {
-    component: GltfComponentType,
-    component_count: usize,
-    bytes: Vec<u8>,
+pub(crate) struct DracoAttribute {
+    pub component: GltfComponentType,
+    pub component_count: usize,
+    pub bytes: Vec<u8>,
 }
 
 impl DracoMesh {
@@ -36,41 +34,32 @@ impl DracoMesh {
         let attributes = self.attributes.values().map(|attribute| attribute.bytes.len());
         (self.indices.len() + attributes.sum::<usize>()) as u64
     }
-
-    /// Returns the indices of all triangles.
-    pub(super) fn indices(&self, path: &str) -> Accessor<'_> {
-        Accessor::packed(self.index_count, [1, 4], GltfComponentType::U32, &self.indices, path)
-    }
-
-    /// Returns an attribute, if there is one of this identifier.
-    pub(super) fn attribute(&self, id: u32, path: &str) -> Option<Accessor<'_>> {
-        let DracoAttribute { component, component_count, bytes } = self.attributes.get(&id)?;
-        let shape = [*component_count, component_count * component.bytes()];
-        Some(Accessor::packed(self.point_count, shape, *component, bytes, path))
-    }
 }
 
 /// Decodes a mesh; `at` is the value that refers to it.
 #[cfg(not(feature = "draco"))]
-pub(super) fn decoded(_: &GltfDocument<'_>, _: &[u8], _: &JsonNode<'_>) -> Result<DracoMesh, Fault> {
+pub(super) fn decoded(
+    _: &[u8],
+    _: &JsonNode<'_>,
+    _: u64,
+    _: impl Fn(u64) -> Result<(), Fault>,
+) -> Result<DracoMesh, Fault> {
     Err(super::compression::GeometryCompression::Draco.feature_off())
 }
 
-/// Decodes a mesh; `at` is the value that refers to it.
+/// Decodes a mesh of at most `bytes_left` bytes; `at` is the value that refers to it, and `claim_bytes` accounts for
+/// memory.
 #[cfg(feature = "draco")]
 pub(super) fn decoded(
-    document: &GltfDocument<'_>,
     source: &[u8],
     at: &JsonNode<'_>,
+    bytes_left: u64,
+    claim_bytes: impl Fn(u64) -> Result<(), Fault>,
 ) -> Result<DracoMesh, Fault> {
     let damaged = |reason: String| at.fault(format!("the compressed data are damaged: {reason}"));
-    let bytes_left = document.unpacked.bytes_left(document.input_bytes);
     let mesh = decode(source, bytes_left).map_err(damaged)?;
     let (point_count, index_count) = (mesh.num_points(), mesh.num_faces() * 3);
-    let claim = |elements: usize, size: usize| {
-        let bytes = (elements as u64).saturating_mul(size as u64);
-        document.unpacked.claim(bytes, document.input_bytes, at)
-    };
+    let claim = |elements: usize, size: usize| claim_bytes((elements as u64).saturating_mul(size as u64));
     claim(index_count, 4)?;
     let indices = mesh.faces().iter().flatten().flat_map(|point| point.0.to_le_bytes()).collect();
     let mut attributes = BTreeMap::new();

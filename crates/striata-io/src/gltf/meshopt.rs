@@ -7,7 +7,6 @@
 //! stream of version 1 takes a byte per kilobyte of vertices.
 
 use super::compression::GeometryCompression;
-use super::document::GltfDocument;
 use super::json::JsonNode;
 use super::uri::shortened;
 use crate::error::Fault;
@@ -38,11 +37,12 @@ struct ViewLayout {
     stride: usize,
 }
 
-/// Decompresses the buffer view `view`, whose extension object is `at`.
-pub(super) fn decompressed(
-    document: &GltfDocument<'_>,
+/// Decompresses the buffer view `view`, whose extension object is `at`; `source` returns the compressed bytes, unless that
+/// many decompressed ones are too many.
+pub(super) fn decompressed<'b>(
     view: &JsonNode<'_>,
     at: &JsonNode<'_>,
+    source: impl FnOnce(u64) -> Result<&'b [u8], Fault>,
 ) -> Result<Vec<u8>, Fault> {
     if !GeometryCompression::Meshopt.is_on() {
         return Err(GeometryCompression::Meshopt.feature_off());
@@ -54,9 +54,8 @@ pub(super) fn decompressed(
         let ViewLayout { count, stride, .. } = layout;
         return Err(at.fault(format!("{count} elements of {stride} bytes, in a view of {declared} bytes")));
     }
-    let source = document.range(at)?;
-    document.unpacked.claim(bytes, document.input_bytes, at)?;
-    decode(layout, source).map_err(|reason| at.fault(format!("the compressed data are damaged: {reason}")))
+    decode(layout, source(bytes)?)
+        .map_err(|reason| at.fault(format!("the compressed data are damaged: {reason}")))
 }
 
 fn layout(at: &JsonNode<'_>) -> Result<ViewLayout, Fault> {
