@@ -16,6 +16,7 @@ mod packages;
 mod py;
 mod release;
 mod results;
+mod site;
 mod steps;
 mod test;
 mod web;
@@ -64,6 +65,8 @@ enum MaintenanceTask {
     Packages,
     /// Check or build what a release publishes (RELEASING.md)
     Release(release::ReleaseArgs),
+    /// Build the site with its gallery and playground, and open it in a browser
+    Site,
     /// Run only the license check: `cargo deny` for all dependencies
     Licenses,
     /// Run only the check of the oldest Rust: compile with the version in `rust-version`
@@ -92,6 +95,9 @@ fn main() -> ExitCode {
         MaintenanceTask::Py => py::run(),
         MaintenanceTask::Packages => packages::run(),
         MaintenanceTask::Release(args) => release::run(&args),
+        MaintenanceTask::Site => {
+            site::run().map(|folder| steps::say(&format!("the site is {}", folder.display())))
+        }
         MaintenanceTask::Licenses => licenses::check(),
         MaintenanceTask::OldestRust => oldest_rust::check(),
         MaintenanceTask::House { list } => house::check(list),

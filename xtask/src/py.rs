@@ -12,7 +12,7 @@ use crate::{machine, target_folder, workspace};
 const INTERPRETERS: [&str; 2] = ["python3", "python"];
 
 /// A virtual environment of its own, kept between runs.
-struct VirtualEnvironment {
+pub(crate) struct VirtualEnvironment {
     folder: PathBuf,
 }
 
@@ -72,7 +72,10 @@ fn package() -> PathBuf {
 
 impl VirtualEnvironment {
     /// Opens a virtual environment, or makes it if it does not work.
-    fn new(folder: PathBuf) -> Result<Self> {
+    ///
+    /// # Errors
+    /// If there is no Python, or it makes none.
+    pub(crate) fn new(folder: PathBuf) -> Result<Self> {
         let environment = Self { folder };
         if !machine::starts(&environment.interpreter().to_string_lossy()) {
             machine::remove_folder(&environment.folder)?;
@@ -95,11 +98,19 @@ impl VirtualEnvironment {
         command
     }
 
-    fn python(&self, arguments: &[&str]) -> Result<()> {
+    /// Runs Python in the folder of the package.
+    ///
+    /// # Errors
+    /// If it fails.
+    pub(crate) fn python(&self, arguments: &[&str]) -> Result<()> {
         steps::run(&mut self.command(arguments))
     }
 
-    fn install(&self, arguments: &[&str]) -> Result<()> {
+    /// Installs packages with pip.
+    ///
+    /// # Errors
+    /// If that fails twice.
+    pub(crate) fn install(&self, arguments: &[&str]) -> Result<()> {
         let pip = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check"];
         steps::run_twice(self.command(&pip).args(arguments))
     }

@@ -9,7 +9,7 @@ use anyhow::Result;
 use crate::command::{FULL, built_command};
 use crate::machine::{self, WASM_TARGET};
 use crate::steps::{self, CheckExtent, CiSteps, cargo, say};
-use crate::{bare, browser, golden, house, licenses, oldest_rust, packages, py, web};
+use crate::{bare, browser, golden, house, licenses, oldest_rust, packages, py, site, web};
 
 /// Crates and feature sets that must compile separately.
 const FEATURES_ALONE: &[(&str, &str)] = &[
@@ -98,6 +98,7 @@ fn run_rare_steps(steps: &mut CiSteps) -> Result<()> {
         None => steps.step("licenses", licenses::check)?,
         Some(reason) => steps.skip("licenses", reason),
     }
+    steps.step("site", || site::run().map(drop))?;
     steps.step("fuzz targets", || lint(&["--manifest-path", "fuzz/Cargo.toml"]))
 }
 

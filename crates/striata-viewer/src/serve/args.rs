@@ -8,7 +8,9 @@ use super::guard::HostName;
 
 /// Arguments of `serve`.
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:\n  striata serve models\n  striata serve bunny.striata --port 0 --open")]
+#[command(
+    after_help = "Examples:\n  striata serve models\n  striata serve bunny.striata --port 0 --open\n  striata serve models --write-to site"
+)]
 pub struct ServeArgs {
     /// Serve this folder, including subfolders, or a single file
     #[arg(value_name = "DIR", default_value = ".")]
@@ -42,6 +44,9 @@ pub struct ServeArgs {
     /// Open the default browser
     #[arg(long)]
     pub open: bool,
+    /// Write the page, its gallery and the models to this new folder, for any web server, and serve nothing
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["port", "host", "allow_host", "cors", "open"])]
+    pub write_to: Option<PathBuf>,
 }
 
 /// Arguments of `thumbnail`.

@@ -55,14 +55,15 @@ pub(super) struct OpenedFile {
     pub stamp: Stamp,
 }
 
-/// The models found in a folder.
-#[derive(Debug, Default)]
-pub(super) struct FoundModels {
+/// The files of some kind found in a folder.
+#[derive(Debug)]
+pub(super) struct FoundFiles {
     /// Paths within the folder, sorted, with their stamps.
-    pub models: Vec<(String, Stamp)>,
-    /// Whether a limit was reached and models are missing.
+    pub files: Vec<(String, Stamp)>,
+    /// Whether a limit was reached and files are missing.
     pub is_truncated: bool,
     entry_count: usize,
+    is_wanted: fn(&str) -> bool,
 }
 
 impl Folder {
@@ -118,23 +119,30 @@ impl Folder {
     }
 
     /// Finds all models, sorted by path.
-    pub(super) fn walk(&self) -> FoundModels {
-        let mut found = FoundModels::default();
+    pub(super) fn walk(&self) -> FoundFiles {
+        let mut found = FoundFiles::of_kind(is_model);
         match &self.only {
             Some(name) => {
-                found.models.extend(self.find(&encoded(name)).map(|found| (found.name, found.stamp)))
+                found.files.extend(self.find(&encoded(name)).map(|found| (found.name, found.stamp)))
             }
             None => self.walk_into(&self.dir, "", 0, &mut found),
         }
-        found.models.sort_by(|(a, _), (b, _)| a.cmp(b));
+        found.files.sort_by(|(a, _), (b, _)| a.cmp(b));
         found
     }
 
-    fn walk_into(&self, dir: &Dir, prefix: &str, depth: usize, found: &mut FoundModels) {
+    /// Finds all files that models may refer to.
+    pub(super) fn walk_companions(&self) -> FoundFiles {
+        let mut found = FoundFiles::of_kind(is_companion);
+        self.walk_into(&self.dir, "", 0, &mut found);
+        found
+    }
+
+    fn walk_into(&self, dir: &Dir, prefix: &str, depth: usize, found: &mut FoundFiles) {
         let Ok(entries) = dir.entries() else { return };
         for entry in entries.flatten() {
             found.entry_count += 1;
-            if found.entry_count > MAX_ENTRIES || found.models.len() >= MAX_MODELS {
+            if found.entry_count > MAX_ENTRIES || found.files.len() >= MAX_MODELS {
                 found.is_truncated = true;
                 return;
             }
@@ -150,14 +158,20 @@ impl Folder {
                 } else if let Ok(inner) = entry.open_dir() {
                     self.walk_into(&inner, &format!("{prefix}{name}/"), depth + 1, found);
                 }
-            } else if is_model(&name) {
+            } else if (found.is_wanted)(&name) {
                 let name = format!("{prefix}{name}");
                 // Links are resolved from the served folder, as for requests.
                 let metadata = if kind.is_symlink() { self.dir.metadata(&name) } else { entry.metadata() };
                 let stamp = metadata.ok().filter(Metadata::is_file).map(|metadata| Stamp::of(&metadata));
-                found.models.extend(stamp.map(|stamp| (name, stamp)));
+                found.files.extend(stamp.map(|stamp| (name, stamp)));
             }
         }
+    }
+}
+
+impl FoundFiles {
+    fn of_kind(is_wanted: fn(&str) -> bool) -> Self {
+        Self { files: Vec::new(), is_truncated: false, entry_count: 0, is_wanted }
     }
 }
 

@@ -51,7 +51,8 @@ pub(super) struct List {
     pub model_count: usize,
     name: String,
     models: Arc<[(String, Stamp, HeaderFacts)]>,
-    is_cut: bool,
+    /// Whether a limit was reached and models are missing.
+    pub is_cut: bool,
     ends_with_page: bool,
     json: Bytes,
     tag: String,
@@ -88,7 +89,7 @@ struct Model<'a> {
     streams: bool,
     triangle_count: Option<u64>,
     vertex_count: Option<u64>,
-    picture: String,
+    picture: Option<String>,
 }
 
 /// Handles requests for `models.json`.
@@ -129,14 +130,33 @@ pub(super) async fn handle(
 }
 
 impl List {
+    /// Paths of the models within the folder, with their states.
+    pub(super) fn stamps(&self) -> impl Iterator<Item = (&str, Stamp)> {
+        self.models.iter().map(|(path, stamp, _)| (path.as_str(), *stamp))
+    }
+
+    /// The document with all models, of which some have a picture.
+    pub(super) fn document(&self, has_picture: impl Fn(&str) -> bool) -> Bytes {
+        self.part_with(Wanted::default(), has_picture)
+    }
+
     /// The document with some of the models.
-    fn part(&self, Wanted { from, count }: Wanted) -> Bytes {
+    fn part(&self, wanted: Wanted) -> Bytes {
+        self.part_with(wanted, |_| true)
+    }
+
+    fn part_with(&self, Wanted { from, count }: Wanted, has_picture: impl Fn(&str) -> bool) -> Bytes {
         let from = from.min(self.models.len());
         let to = from.saturating_add(count.unwrap_or(usize::MAX)).min(self.models.len());
         let models = self.models[from..to].iter();
         let document = Document {
             name: &self.name,
-            models: models.map(|(path, stamp, head)| Model::new(path, *stamp, *head)).collect(),
+            models: models
+                .map(|(path, stamp, head)| {
+                    let model = Model::new(path, *stamp, *head);
+                    if has_picture(path) { model } else { Model { picture: None, ..model } }
+                })
+                .collect(),
             total: self.models.len(),
             is_cut: self.is_cut,
             ends_with_page: self.ends_with_page,
@@ -178,7 +198,7 @@ fn build_list(
 ) -> (List, BTreeMap<String, (Stamp, HeaderFacts)>) {
     let walked = folder.walk();
     let mut heads = BTreeMap::new();
-    for (name, stamp) in walked.models {
+    for (name, stamp) in walked.files {
         let known = known.remove(&name).filter(|(state, _)| *state == stamp);
         let head = known.map_or_else(|| read_header(folder, &name), |(_, head)| head);
         heads.insert(name, (stamp, head));
@@ -229,7 +249,7 @@ impl<'a> Model<'a> {
             streams: head.streams,
             triangle_count: head.triangle_count,
             vertex_count: head.vertex_count,
-            picture: format!("pictures/{url}.png"),
+            picture: Some(format!("pictures/{url}.png")),
             url: format!("models/{url}"),
         }
     }

@@ -22,6 +22,7 @@ mod options;
 mod server;
 mod session;
 mod show_args;
+mod static_site;
 mod thumbnail;
 mod thumbnails;
 mod validators;
@@ -98,6 +99,9 @@ fn serve_one(path: &Path, options: &Options, output: &Output) -> Result<(), Fail
 }
 
 async fn serve(folder: Arc<Folder>, options: &Options, output: &Output) -> Result<(), Failure> {
+    if let Some(to) = &options.writes_to {
+        return static_site::write(folder, to, output).await;
+    }
     let listener = listen(options).await?;
     let address =
         listener.local_addr().map_err(|error| Failure::user(format!("cannot read the port: {error}")))?;

@@ -1,5 +1,6 @@
 //! Options of the server.
 
+use std::path::PathBuf;
 use std::time::Duration;
 
 use super::args::ServeArgs;
@@ -27,6 +28,8 @@ pub(crate) struct Options {
     pub ends_with_page: bool,
     /// Parameters of the address that is opened, behind the model.
     pub parameters: String,
+    /// Folder to which everything is written, instead of being served.
+    pub writes_to: Option<PathBuf>,
 }
 
 impl From<&PageArgs> for Options {
@@ -42,6 +45,7 @@ impl From<&PageArgs> for Options {
             opens_browser: !args.no_open,
             ends_with_page: true,
             parameters: args.first.parameters(),
+            writes_to: None,
         }
     }
 }
@@ -58,6 +62,7 @@ impl From<&ServeArgs> for Options {
             opens_browser: args.open,
             ends_with_page: false,
             parameters: String::new(),
+            writes_to: args.write_to.clone(),
         }
     }
 }

@@ -53,7 +53,8 @@ pub(super) struct Thumbnails {
 
 /// Outcome of drawing a model.
 #[derive(Clone, Debug)]
-enum Thumbnail {
+pub(super) enum Thumbnail {
+    /// A PNG file.
     Picture(Bytes),
     /// The file is broken, for a reason.
     Broken(String),
@@ -87,7 +88,7 @@ impl Thumbnails {
     }
 
     /// Returns the thumbnail of a file in this state, drawing it if needed; none if the queue times out.
-    async fn get(&self, name: &str, stamp: Stamp, path: &Path) -> Option<Thumbnail> {
+    pub(super) async fn get(&self, name: &str, stamp: Stamp, path: &Path) -> Option<Thumbnail> {
         if let Some(picture) = self.cached(name, stamp) {
             return Some(picture);
         }
