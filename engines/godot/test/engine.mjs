@@ -54,7 +54,7 @@ script = ExtResource("1")
   ]);
 }
 
-const PAGE = `<!DOCTYPE html><meta charset="utf-8"><style>body { margin: 0 }</style><canvas id="canvas"></canvas><script src="index.js"></script>
+const page = ([width, height]) => `<!DOCTYPE html><meta charset="utf-8"><style>body { margin: 0 }</style><canvas id="canvas" width="${width}" height="${height}"></canvas><script src="index.js"></script>
 <script>
   new Engine({ args: [], canvasResizePolicy: 0, executable: 'index', mainPack: 'test.pck', fileSizes: {}, focusCanvas: false, gdextensionLibs: [] })
     .startGame({ canvas: document.getElementById('canvas'), onPrint: (text) => console.log(text), onPrintError: (text) => console.error(text) })
@@ -72,7 +72,7 @@ export async function run(files, size, seconds = 300) {
   const server = createServer((request, response) => {
     const name = request.url.slice(1).split('?')[0];
     const path = join(folder, name);
-    const contents = name === '' ? PAGE : name === 'test.pck' ? packed : existsSync(path) && readFileSync(path);
+    const contents = name === '' ? page(size) : name === 'test.pck' ? packed : existsSync(path) && readFileSync(path);
     if (contents === false) response.writeHead(404).end();
     else response.writeHead(200, { 'Content-Type': TYPES[name.match(/\.\w+$/)?.[0] ?? '.html'] ?? 'application/octet-stream' }).end(contents);
   });
@@ -87,12 +87,12 @@ export async function run(files, size, seconds = 300) {
   const results = [];
   const messages = [];
   try {
-    const page = await browser.newPage();
+    const tab = await browser.newPage();
     await new Promise((done, fail) => {
       const timer = setTimeout(() => fail(new Error(`no end after ${seconds} s:\n${messages.join('\n')}`)), 1000 * seconds);
       const end = (error) => (clearTimeout(timer), error ? fail(error) : done());
-      page.on('pageerror', (error) => end(new Error(`${error}\n${messages.join('\n')}`)));
-      page.on('console', (message) => {
+      tab.on('pageerror', (error) => end(new Error(`${error}\n${messages.join('\n')}`)));
+      tab.on('console', (message) => {
         const text = message.text();
         if (process.env.VERBOSE) console.log(text.slice(0, 300));
         if (text.startsWith('RESULT ')) results.push(JSON.parse(text.slice(7)));
@@ -100,7 +100,7 @@ export async function run(files, size, seconds = 300) {
         else messages.push(text);
         if (/^FAILED|SCRIPT ERROR/.test(text)) setTimeout(() => end(new Error(messages.join('\n'))), 500);
       });
-      page.goto(`http://127.0.0.1:${server.address().port}/`).catch(fail);
+      tab.goto(`http://127.0.0.1:${server.address().port}/`).catch(fail);
     });
   } finally {
     await browser.close();

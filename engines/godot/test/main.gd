@@ -23,13 +23,16 @@ func _ready() -> void:
 	await get_tree().process_frame
 	var import := Import.new()
 	var plain := {}
+	var documents := {}
 	for file in DirAccess.get_files_at("res://models"):
-		plain[file] = parse("res://models/" + file)
+		documents[file] = GLTFDocument.new()
+		plain[file] = parse("res://models/" + file, documents[file])
 	GLTFDocument.register_gltf_document_extension(import)
 	for file: String in plain:
-		var state := parse("res://models/" + file)
+		var document := GLTFDocument.new()
+		var state := parse("res://models/" + file, document)
 		result({"model": file, "meshes": state.meshes.map(func(entry: GLTFMesh) -> Dictionary: return dump(entry.mesh)),
-			"kept": differences(plain[file], state), "scene": scene_of(state), "plain_scene": scene_of(plain[file])})
+			"kept": differences(plain[file], state), "scene": scene_of(document.generate_scene(state)), "plain_scene": scene_of(documents[file].generate_scene(plain[file]))})
 	for file in DirAccess.get_files_at("res://malformed"):
 		print("IMPORT ", file)
 		var state := parse("res://malformed/" + file)
@@ -42,6 +45,7 @@ func _ready() -> void:
 	GLTFDocument.unregister_gltf_document_extension(cutter)
 	for file in DirAccess.get_files_at("res://resources"):
 		result({"resource": file, "rows": LevelTable.rows(load("res://resources/" + file))})
+	test_plugin(import)
 	await test_drawing()
 	print("DONE")
 
@@ -50,9 +54,9 @@ func result(value: Dictionary) -> void:
 	print("RESULT ", JSON.stringify(value, "", true, true))
 
 
-func parse(path: String) -> GLTFState:
+func parse(path: String, document := GLTFDocument.new()) -> GLTFState:
 	var state := GLTFState.new()
-	var error := GLTFDocument.new().append_from_file(path, state)
+	var error := document.append_from_file(path, state)
 	if error != OK:
 		push_error("%s cannot be imported: %d" % [path, error])
 	return state
@@ -111,9 +115,8 @@ func begins(long: Array, short: Array) -> bool:
 	return true
 
 
-# Nodes, skins and animations of a scene.
-func scene_of(state: GLTFState) -> Array:
-	var root := GLTFDocument.new().generate_scene(state)
+# Nodes, skins and animations of a scene, which is freed.
+func scene_of(root: Node) -> Array:
 	var facts: Array = []
 	var queue: Array[Node] = [root]
 	while not queue.is_empty():
@@ -129,6 +132,26 @@ func scene_of(state: GLTFState) -> Array:
 		facts.append(fact)
 	root.free()
 	return facts
+
+
+# Runs the two scripts of the editor with stand-ins for its classes.
+func test_plugin(import: GLTFDocumentExtension) -> void:
+	GLTFDocument.unregister_gltf_document_extension(import)
+	var plugin: Node = load("res://stubs/plugin.gd").new()
+	add_child(plugin)
+	var inspector: RefCounted = plugin.inspectors[0]
+	var mesh: ImporterMesh = parse("res://models/spot.glb").meshes[0].mesh
+	var instance := MeshInstance3D.new()
+	instance.mesh = mesh.get_mesh()
+	for object: Object in [mesh, instance.mesh, instance]:
+		if inspector._can_handle(object):
+			inspector._parse_begin(object)
+	var handled := [MeshInstance3D.new(), BoxMesh.new(), self, StandardMaterial3D.new()].map(inspector._can_handle)
+	var texts: Array = inspector.controls.map(func(control: Control) -> Array: return control.get_children().map(func(label: Label) -> String: return label.text))
+	remove_child(plugin)
+	result({"plugin": LevelTable.rows(mesh).size(), "tables": texts, "handles_others": handled, "left": plugin.inspectors.size(),
+		"after": LevelTable.rows(parse("res://models/spot.glb").meshes[0].mesh).size(), "settings": ProjectSettings.has_setting(Settings.MAXIMUM_LEVEL_COUNT)})
+	GLTFDocument.register_gltf_document_extension(import)
 
 
 func test_settings() -> void:

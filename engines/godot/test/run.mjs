@@ -84,6 +84,11 @@ function checkModel(name, bytes, result) {
   const count = { levels: 0, appended: 0 };
   assert.deepEqual(result.kept, [], name);
   assert.deepEqual(result.scene, result.plain_scene, name);
+  const drawn = result.scene.filter(([, kind]) => kind === 'MeshInstance3D');
+  assert(drawn.length > 0, name);
+  const skins = (file.json.nodes ?? []).filter((node) => node.skin !== undefined).length;
+  assert.equal(drawn.filter(([, , , binds]) => binds > 0).length, skins, `${name}: skins`);
+  assert.equal(result.scene.filter(([, kind]) => kind === 'AnimationPlayer').length, file.json.animations ? 1 : 0, `${name}: animations`);
   file.json.meshes.forEach((mesh, m) => {
     const orders = mesh.primitives.map((primitive) => primitive.extensions.STRIATA_order);
     const rows = orders[0].ranges ? orders[0].ranges.map((_, row) => row).slice(1) : chosenRows(orders);
@@ -139,6 +144,15 @@ await inFolder(async (folder) => {
   const addon = join(ROOT, 'engines/godot/addons/striata');
   readdirSync(addon).forEach((name) => files.set(`addons/striata/${name}`, readFileSync(join(addon, name))));
   for (const [place, set] of [['models', models], ['malformed', broken], ['resources', resources]]) set.forEach((bytes, name) => files.set(`${place}/${name}`, bytes));
+  // The classes of the editor do not exist in the template.
+  const stub = (name, lines) => readFileSync(join(addon, name), 'utf8').replaceAll(/^extends .*$/gm, lines).replaceAll(/: Editor\w+/g, '').replaceAll('preload("', 'preload("res://addons/striata/');
+  files.set('stubs/plugin.gd', stub('plugin.gd', `extends Node
+var inspectors: Array = []
+func add_inspector_plugin(inspector: RefCounted) -> void: inspectors.append(inspector)
+func remove_inspector_plugin(inspector: RefCounted) -> void: inspectors.erase(inspector)`).replace('res://addons/striata/level_inspector.gd', 'res://stubs/level_inspector.gd'));
+  files.set('stubs/level_inspector.gd', stub('level_inspector.gd', `extends RefCounted
+var controls: Array = []
+func add_custom_control(control: Control) -> void: controls.append(control)`));
   const { results, messages } = await run(files, [640, 480]);
   const of = (key) => results.filter((result) => key in result);
   const section = (name) => {
@@ -179,6 +193,12 @@ await inFolder(async (folder) => {
   assert.deepEqual(resource.map((row) => row.triangles), spot.levels.map((level) => level[1]));
   resource.forEach((row, i) => assert(close(row.error, spot.levels[i][2]), 'errors of spot.tres'));
   console.log(`spot.tres has the ${resource.length} levels of spot.glb`);
+
+  const plugin = of('plugin')[0];
+  assert.equal(plugin.plugin, 1 + chosenRows([spot]).length);
+  assert.deepEqual(plugin.tables.map((texts) => texts.filter((_, i) => i % 3 === 1)), Array(3).fill(['Triangles', ...triangles(chosenRows([spot])).map(String)]));
+  assert.deepEqual([plugin.handles_others, plugin.left, plugin.after, plugin.settings], [[false, false, false, false], 0, 1, true]);
+  console.log('the plugin adds the import, its settings and the tables, and takes the import back');
 
   const drawn = of('distance').map((result) => result.drawn);
   assert(drawn.every((count) => spot.levels.some((level) => level[1] === count)), `${drawn} triangles drawn`);

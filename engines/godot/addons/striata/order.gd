@@ -108,16 +108,20 @@ func _read_lists(orders: Array, all: Array) -> void:
 		if not problem.is_empty():
 			return
 		var full := _clockwise(_integers(all[primitives[index]].indices, "indices"))
-		_check_list(full, orders[index].levels[0])
+		_check_list(full, orders[index].levels[0], vertex_count)
 		lists[primitives[index]] = [full]
 	if not problem.is_empty():
 		return
 	if Settings.value(Settings.USE_STORED_RANGES) and orders.any(func(order: Dictionary) -> bool: return order.has("ranges")):
 		_read_ranges(orders)
 		return
+	var identity := PackedInt32Array(range(vertex_count))
+	var finer := vertex_count
 	for row in _chosen_rows(orders):
-		var map := level_map(_targets, int(orders[0].levels[row][0]))
+		var n := int(orders[0].levels[row][0])
+		var map := level_map(_targets, n, finer, identity)
 		_add_level(orders, row, primitives.map(func(index: int) -> PackedInt32Array: return level_indices(lists[index][-1], map)))
+		finer = n
 
 
 func _read_ranges(orders: Array) -> void:
@@ -140,7 +144,9 @@ func _read_ranges(orders: Array) -> void:
 		var level: Array = []
 		for index in orders.size():
 			var first := int(orders[index].ranges[row][0])
-			level.append(_clockwise(buffers[index].slice(first, first + int(orders[index].ranges[row][1]))))
+			var list := _clockwise(buffers[index].slice(first, first + int(orders[index].ranges[row][1])))
+			_check_list(list, orders[index].levels[row], int(orders[index].levels[row][0]))
+			level.append(list)
 		_add_level(orders, row, level)
 
 
@@ -174,19 +180,21 @@ func _chosen_rows(orders: Array) -> Array[int]:
 	return chosen
 
 
-func _check_list(list: PackedInt32Array, level: Array) -> void:
+# Checks the number of triangles of a list, and unless the list was made by the rule, that its vertices are below a limit.
+func _check_list(list: PackedInt32Array, level: Array, limit := -1) -> void:
 	_expect(list.size() == 3 * int(level[1]), "the level of %d vertices has %d triangles instead of %d" % [level[0], list.size() / 3, level[1]])
-	var sorted := list.duplicate()
-	sorted.sort()
-	if not sorted.is_empty():
-		_expect(sorted[0] >= 0 and sorted[-1] < int(level[0]), "the level of %d vertices uses vertex %d" % [level[0], sorted[-1]])
+	if limit >= 0 and not list.is_empty():
+		var sorted := list.duplicate()
+		sorted.sort()
+		_expect(sorted[0] >= 0 and sorted[-1] < limit, "the level of %d vertices uses vertex %d" % [level[0], sorted[-1]])
 
 
-# The rule of the extension: the vertex that stands for each vertex in the level with `n` vertices.
-static func level_map(targets: PackedInt32Array, n: int) -> PackedInt32Array:
-	var map := targets.duplicate()
-	for i in targets.size():
-		map[i] = i if i < n else map[targets[i]]
+# The rule of the extension: the vertex that stands for each vertex in the level with `n` vertices. Only the first `finer`
+# vertices are in use. `identity` maps each vertex to itself.
+static func level_map(targets: PackedInt32Array, n: int, finer: int, identity: PackedInt32Array) -> PackedInt32Array:
+	var map := identity.duplicate()
+	for i in range(n, finer):
+		map[i] = map[targets[i]]
 	return map
 
 

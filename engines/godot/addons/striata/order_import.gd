@@ -49,6 +49,8 @@ class Builder:
 	# Vertices of the file in each surface, sorted; what is appended is in `_appended`.
 	var _used := {}
 	var _appended := {}
+	# Numbers in each surface of the vertices of the file; -1 for those that it lacks. Surfaces that have all vertices have none.
+	var _numbers := {}
 	# A surface that has each vertex of the file, or -1.
 	var _owner := PackedInt32Array()
 
@@ -70,10 +72,8 @@ class Builder:
 	func _read_surface(surface: int) -> void:
 		var arrays := _full.get_surface_arrays(surface)
 		var list: PackedInt32Array = _order.lists[surface][0]
-		var used := Builder.distinct(list)
 		var count: int = arrays[Mesh.ARRAY_VERTEX].size()
-		if count == _order.vertex_count:
-			used = PackedInt32Array(range(count))
+		var used := PackedInt32Array(range(count)) if count == _order.vertex_count else Builder.distinct(list)
 		_used[surface] = used
 		for vertex in used:
 			_owner[vertex] = surface
@@ -82,6 +82,9 @@ class Builder:
 			problem = "the importer changed the vertices or triangles of surface %d (%d vertices instead of %d)" % [surface, count, used.size()]
 
 	func _append_missing(surface: int) -> void:
+		_appended[surface] = PackedInt32Array()
+		if _used[surface].size() == _order.vertex_count:
+			return
 		var needed := PackedInt32Array()
 		for list: PackedInt32Array in _order.lists[surface].slice(1):
 			needed.append_array(list)
@@ -96,6 +99,7 @@ class Builder:
 					problem = "a level of surface %d needs vertices of surface %d, which has other attributes" % [surface, _owner[vertex]]
 					return
 		_appended[surface] = missing
+		_numbers.erase(surface)
 
 	func _has_same_arrays(a: int, b: int) -> bool:
 		var kinds := [_full.get_surface_arrays(a), _full.get_surface_arrays(b)].map(func(arrays: Array) -> Array:
@@ -166,16 +170,19 @@ class Builder:
 			extended[kind] = longer
 		return extended
 
-	# Numbers of vertices in a surface, from those of the file.
+	# Returns a list with the numbers of vertices in a surface instead of those of the file.
 	func _local(surface: int, list: PackedInt32Array) -> PackedInt32Array:
-		var map := PackedInt32Array()
-		map.resize(_order.vertex_count)
-		map.fill(-1)
-		var count := 0
-		for vertices: PackedInt32Array in [_used[surface], _appended.get(surface, PackedInt32Array())]:
-			for vertex in vertices:
-				map[vertex] = count
-				count += 1
+		if _used[surface].size() == _order.vertex_count:
+			return list
+		if not _numbers.has(surface):
+			var numbers := PackedInt32Array()
+			numbers.resize(_order.vertex_count)
+			numbers.fill(-1)
+			var vertices: PackedInt32Array = _used[surface] + _appended.get(surface, PackedInt32Array())
+			for number in vertices.size():
+				numbers[vertices[number]] = number
+			_numbers[surface] = numbers
+		var map: PackedInt32Array = _numbers[surface]
 		var local := list.duplicate()
 		for i in local.size():
 			local[i] = map[local[i]]
