@@ -41,16 +41,20 @@ export function cannotBuild() {
   return undefined;
 }
 
-/** A grid with hills in two materials, whose border has corners: levels collapse vertices of one material to those of the other. */
-function twoMaterials() {
+/**
+ * A grid with hills in two materials. The border has corners: levels collapse vertices of one material to those of the other.
+ * If the second material has a single triangle, levels move its vertices long before it vanishes.
+ */
+function twoMaterials(isBlue, library) {
   const n = 40;
-  const lines = ['mtllib two.mtl'];
+  const lines = [`mtllib ${library}`];
   for (let y = 0; y <= n; y++) for (let x = 0; x <= n; x++) lines.push(`v ${x / n} ${0.1 * Math.sin((9 * x) / n) * Math.cos((7 * y) / n)} ${y / n}`);
   const rows = { red: [], blue: [] };
   for (let y = 0; y < n; y++) {
     for (let x = 0; x < n; x++) {
       const a = y * (n + 1) + x + 1;
-      rows[(x + 2 * Math.round(2 * Math.sin(y / 3))) % 16 < 8 ? 'red' : 'blue'].push(`f ${a} ${a + n + 1} ${a + n + 2}`, `f ${a} ${a + n + 2} ${a + 1}`);
+      rows[isBlue(x, y) ? 'blue' : 'red'].push(`f ${a} ${a + n + 1} ${a + n + 2}`);
+      rows[isBlue(x, y) && library === 'two.mtl' ? 'blue' : 'red'].push(`f ${a} ${a + n + 2} ${a + 1}`);
     }
   }
   return [...lines, 'usemtl red', ...rows.red, 'usemtl blue', ...rows.blue, ''].join('\n');
@@ -76,11 +80,15 @@ function leaves() {
 
 /** Returns the models of the tests, a `Map` from names to bytes. */
 export function testModels(folder) {
-  writeFileSync(join(folder, 'two.obj'), twoMaterials());
-  writeFileSync(join(folder, 'two.mtl'), 'newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n');
-  writeFileSync(join(folder, 'leaves.obj'), leaves());
-  writeFileSync(join(folder, 'leaves.mtl'), 'newmtl leaf\nKd 0.2 0.6 0.1\nd 0.9\n');
-  const sources = { arm: join(ROOT, 'assets/arm.glb'), spot: join(ROOT, 'assets/spot.obj.zst'), two: join(folder, 'two.obj'), leaves: join(folder, 'leaves.obj') };
+  const write = (name, text) => writeFileSync(join(folder, name), text);
+  const colors = 'newmtl red\nKd 1 0 0\nnewmtl blue\nKd 0 0 1\n';
+  write('two.obj', twoMaterials((x, y) => (x + 2 * Math.round(2 * Math.sin(y / 3))) % 16 >= 8, 'two.mtl'));
+  write('two.mtl', colors);
+  write('speck.obj', twoMaterials((x, y) => x === 20 && y === 20, 'speck.mtl'));
+  write('speck.mtl', colors);
+  write('leaves.obj', leaves());
+  write('leaves.mtl', 'newmtl leaf\nKd 0.2 0.6 0.1\nd 0.9\n');
+  const sources = { arm: join(ROOT, 'assets/arm.glb'), spot: join(ROOT, 'assets/spot.obj.zst'), two: join(folder, 'two.obj'), speck: join(folder, 'speck.obj'), leaves: join(folder, 'leaves.obj') };
   if (MESHES) {
     sources.fox = join(MESHES, 'animated/Fox.glb');
     sources.morph = join(MESHES, 'animated/MorphStressTest.gltf');
@@ -110,32 +118,32 @@ function writeGlb({ json, binary }) {
   return Buffer.concat([words(0x46546c67, 2, total), words(text.length, 0x4e4f534a), text, words(binary.length, 0x004e4942), binary]);
 }
 
-/** Returns malformed variants of a file with ranges, a `Map` from names to bytes. */
+/** Returns malformed variants of a file with ranges, a `Map` from names to `{ bytes, message }`: what the add-on must say. */
 export function malformed(bytes) {
   const variants = {
-    'no object': ({ primitive }) => (primitive.extensions.STRIATA_order = 7),
-    'no targets': ({ order }) => delete order.targets,
-    'targets of no accessor': ({ order }) => (order.targets = 1000),
-    'targets of a wrong accessor': ({ order, primitive }) => (order.targets = primitive.attributes.POSITION),
-    'targets of 16 bits': ({ json, order }) => (json.accessors[order.targets].componentType = 5123),
-    'too few targets': ({ json, order }) => json.accessors[order.targets].count--,
-    'targets outside of the file': ({ json, order }) => (json.accessors[order.targets].byteOffset = 1e9),
-    'a target above its vertex': ({ view, order }) => view(order.targets).writeUInt32LE(500, 4 * 400),
-    'a vertex without a target': ({ view, order }) => view(order.targets).writeUInt32LE(400, 4 * 400),
-    'another tree of targets': ({ view, order }) => view(order.targets).writeUInt32LE(0, 4 * 2900),
-    'no levels': ({ order }) => delete order.levels,
-    'levels that are no rows': ({ order }) => (order.levels[1] = 5),
-    'levels with text': ({ order }) => (order.levels[1][0] = 'many'),
-    'vertices that rise': ({ order }) => (order.levels[2][0] = order.levels[1][0] + 1),
-    'errors that fall': ({ order }) => (order.levels[3][2] = 0),
-    'a full level of other vertices': ({ order }) => (order.levels[0][0] += 1),
-    'a wrong number of triangles': ({ order }) => (order.levels[2][1] -= 1),
-    'ranges without indices': ({ order }) => delete order.indices,
-    'a range past the end': ({ order }) => (order.ranges.at(-1)[0] = 1e7),
-    'ranges of other levels': ({ order }) => order.ranges.splice(1, 1),
-    'a range with a vertex of a finer level': ({ order, view }) => view(order.indices).writeUInt16LE(3000, 2 * order.ranges[2][0]),
+    'no object': ['it has no targets', ({ primitive }) => (primitive.extensions.STRIATA_order = 7)],
+    'no targets': ['it has no targets', ({ order }) => delete order.targets],
+    'targets of no accessor': ['its targets are no unsigned', ({ order }) => (order.targets = 1000)],
+    'targets of a wrong accessor': ['its targets are no unsigned', ({ order, primitive }) => (order.targets = primitive.attributes.POSITION)],
+    'targets of 16 bits': ['its targets are no unsigned', ({ json, order }) => (json.accessors[order.targets].componentType = 5123)],
+    'too few targets': ['targets for 32', ({ json, order }) => json.accessors[order.targets].count--],
+    'targets outside of the file': ['does not fit into the file', ({ json, order }) => (json.accessors[order.targets].byteOffset = 1e9)],
+    'a target above its vertex': ['the target of vertex 400 is 500', ({ view, order }) => view(order.targets).writeUInt32LE(500, 4 * 400)],
+    'a vertex without a target': ['vertex 400 is not in its coarsest level', ({ view, order }) => view(order.targets).writeUInt32LE(400, 4 * 400)],
+    'another tree of targets': ['triangles instead of', ({ view, order }) => view(order.targets).writeUInt32LE(0, 4 * 2900)],
+    'no levels': ['its levels are no rows', ({ order }) => delete order.levels],
+    'levels that are no rows': ['its levels are no rows', ({ order }) => (order.levels[1] = 5)],
+    'levels with text': ['its levels are no rows', ({ order }) => (order.levels[1][0] = 'many')],
+    'vertices that rise': ['the vertices of its levels do not fall', ({ order }) => (order.levels[2][0] = order.levels[1][0] + 1)],
+    'errors that fall': ['the errors of its levels fall', ({ order }) => (order.levels[3][2] = 0)],
+    'a full level of other vertices': ['its first level has', ({ order }) => (order.levels[0][0] += 1)],
+    'a wrong number of triangles': ['triangles instead of', ({ order }) => (order.levels[2][1] -= 1)],
+    'ranges without indices': ['its ranges have no indices', ({ order }) => delete order.indices],
+    'a range past the end': ['triangles instead of', ({ order }) => (order.ranges.at(-1)[0] = 1e7)],
+    'ranges of other levels': ['its ranges are not the first levels', ({ order }) => order.ranges.splice(1, 1)],
+    'a range with a vertex of a finer level': ['uses vertex 3000', ({ order, view }) => view(order.indices).writeUInt16LE(3000, 2 * order.ranges[2][0])],
   };
-  return new Map(Object.entries(variants).map(([name, change]) => {
+  return new Map(Object.entries(variants).map(([name, [message, change]]) => {
     const { json, binary } = openGlb(bytes);
     const copy = Buffer.from(binary);
     const primitive = json.meshes[0].primitives[0];
@@ -148,6 +156,6 @@ export function malformed(bytes) {
     };
     json.meshes[0].name = `broken by ${name}`;
     change({ json, primitive, order, view });
-    return [`${name.replaceAll(' ', '_')}.glb`, writeGlb({ json, binary: copy })];
+    return [`${name.replaceAll(' ', '_')}.glb`, { bytes: writeGlb({ json, binary: copy }), message }];
   }));
 }

@@ -78,10 +78,10 @@ function chosenRows(orders, { most = 16, ratio = 0.75, least = 12 } = {}) {
 
 const close = (a, b) => Math.abs(a - b) <= 1e-6 * Math.max(Math.abs(a), Math.abs(b), 1e-12);
 
-/** Compares what the engine has of a model with the rule. Returns the number of levels, and of vertices and triangles that were appended. */
+/** Compares what the engine has of a model with the rule. Returns the number of levels, and of vertices and triangles that were added. */
 function checkModel(name, bytes, result) {
   const file = openGlb(bytes);
-  const count = { levels: 0, appended: 0 };
+  const count = { levels: 0, appended: 0, padded: 0 };
   assert.deepEqual(result.kept, [], name);
   assert.deepEqual(result.scene, result.plain_scene, name);
   const drawn = result.scene.filter(([, kind]) => kind === 'MeshInstance3D');
@@ -119,6 +119,7 @@ function checkModel(name, bytes, result) {
       const full = numbers(file, primitive.indices);
       assert.deepEqual(soup(integers(surface.indices), own), soup(clockwise(full), theirs), `${name}: full mesh`);
       count.appended += own[0][0].length / 3 - new Set(full).size;
+      count.padded += integers(surface.indices).length / 3 - orders[s].levels[0][1];
       for (const row of levels) {
         const [n, triangles, error] = orders[s].levels[row];
         const expected = levelIndices(full, targets, n);
@@ -143,7 +144,7 @@ await inFolder(async (folder) => {
   const files = project(readFileSync(new URL('main.gd', import.meta.url)), [640, 480]);
   const addon = join(ROOT, 'engines/godot/addons/striata');
   readdirSync(addon).forEach((name) => files.set(`addons/striata/${name}`, readFileSync(join(addon, name))));
-  for (const [place, set] of [['models', models], ['malformed', broken], ['resources', resources]]) set.forEach((bytes, name) => files.set(`${place}/${name}`, bytes));
+  for (const [place, set] of [['models', models], ['malformed', new Map([...broken].map(([name, { bytes }]) => [name, bytes]))], ['resources', resources]]) set.forEach((bytes, name) => files.set(`${place}/${name}`, bytes));
   // The classes of the editor do not exist in the template.
   const stub = (name, lines) => readFileSync(join(addon, name), 'utf8').replaceAll(/^extends .*$/gm, lines).replaceAll(/: Editor\w+/g, '').replaceAll('preload("', 'preload("res://addons/striata/');
   files.set('stubs/plugin.gd', stub('plugin.gd', `extends Node
@@ -161,17 +162,21 @@ func add_custom_control(control: Control) -> void: controls.append(control)`));
   };
 
   assert.equal(of('model').length, models.size);
+  const all = { levels: 0, appended: 0, padded: 0 };
   for (const result of of('model')) {
-    const { levels, appended } = checkModel(result.model, models.get(result.model), result);
-    assert(levels > 0);
-    console.log(`${result.model}: ${levels} levels of surfaces equal the rule${appended ? `; ${appended} vertices appended` : ''}`);
+    const counts = checkModel(result.model, models.get(result.model), result);
+    assert(counts.levels > 0);
+    for (const key in all) all[key] += counts[key];
+    console.log(`${result.model}: ${counts.levels} levels of surfaces equal the rule`);
   }
-  assert(of('model').some((result) => checkModel(result.model, models.get(result.model), result).appended > 0), 'no model needs vertices of another surface');
+  console.log(`${all.levels} levels of surfaces equal the rule; ${all.appended} vertices of other surfaces and ${all.padded} triangles without area were added`);
+  assert(all.appended > 0 && all.padded > 0, 'no model needs what the add-on adds');
 
   assert.equal(of('malformed').length, broken.size);
   for (const { malformed: name, rows } of of('malformed')) {
     assert.equal(rows, 1, `${name} has levels`);
-    assert.match(section(name), /STRIATA_order of mesh 0 \("broken by .*"\) of .* is malformed and was ignored: /, name);
+    const message = section(name).match(/STRIATA_order of mesh 0 \("broken by .*"\) of .* is malformed and was ignored: (.*)/)?.[1];
+    assert(message?.includes(broken.get(name).message), `${name}: ${message}`);
   }
   console.log(`${broken.size} malformed files are refused by name`);
 
@@ -200,9 +205,17 @@ func add_custom_control(control: Control) -> void: controls.append(control)`));
   assert.deepEqual([plugin.handles_others, plugin.left, plugin.after, plugin.settings], [[false, false, false, false], 0, 1, true]);
   console.log('the plugin adds the import, its settings and the tables, and takes the import back');
 
+  // The engine measures the distance to the box of the mesh, and pixels of the width of the screen.
+  const { json } = openGlb(models.get('spot.glb'));
+  const front = json.accessors[json.meshes[0].primitives[0].attributes.POSITION].max[2];
+  const widthAtOne = 2 * Math.tan((75 / 2) * (Math.PI / 180)) * (640 / 480);
   const drawn = of('distance').map((result) => result.drawn);
-  assert(drawn.every((count) => spot.levels.some((level) => level[1] === count)), `${drawn} triangles drawn`);
-  assert(drawn.every((count, i) => i === 0 || count < drawn[i - 1]), `${drawn} triangles drawn`);
+  const predicted = of('distance').map(({ distance }) => {
+    const rows = chosenRows([spot]).filter((row) => (spot.levels[row][2] / ((distance - front) * widthAtOne)) * 640 <= 1);
+    return triangles(rows).at(-1);
+  });
+  assert.deepEqual(drawn, predicted);
+  assert(new Set(drawn).size === drawn.length, `${drawn} triangles drawn`);
   console.log(`the engine draws ${drawn.join(', ')} triangles of spot at distances of ${of('distance').map((result) => result.distance).join(', ')}`);
 
   const expected = /malformed and was ignored|were left out: the importer changed/;
