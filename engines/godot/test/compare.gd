@@ -5,7 +5,8 @@ extends Node3D
 const Import := preload("res://addons/striata/order_import.gd")
 
 const DISTANCES := [2.0, 4.0, 8.0, 16.0, 32.0]
-const THRESHOLDS := [1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.125, 0.09, 0.0625, 0.03]
+## Levels of the add-on are also drawn at these, from the coarsest one to the first whose picture is as close to the full mesh as Godot's.
+const THRESHOLDS := [8.0, 5.6, 4.0, 2.8, 2.0, 1.4, 1.0, 0.7, 0.5, 0.35, 0.25, 0.18, 0.125, 0.09, 0.0625]
 const FIELD_OF_VIEW := 60.0
 
 var _camera := Camera3D.new()
@@ -37,14 +38,14 @@ func _ready() -> void:
 		add_child(scenes[which])
 	await get_tree().process_frame
 	var box := bounds(scenes["striata"])
-	var cases := [["striata", 0.0], ["godot", 1.0]]
-	cases.append_array(THRESHOLDS.map(func(pixels: float) -> Array: return ["striata", pixels]))
 	for distance: float in DISTANCES:
-		for case: Array in cases:
-			for which: String in scenes:
-				scenes[which].visible = which == case[0]
-			get_viewport().mesh_lod_threshold = case[1]
-			await draw(box, distance, case)
+		var full := await draw(scenes, box, distance, "striata", 0.0)
+		var godot := await draw(scenes, box, distance, "godot", 1.0)
+		await draw(scenes, box, distance, "striata", 1.0)
+		for pixels: float in THRESHOLDS:
+			var picture := await draw(scenes, box, distance, "striata", pixels)
+			if difference(full, picture) <= difference(full, godot):
+				break
 	print("DONE")
 
 
@@ -76,8 +77,15 @@ func bounds(root: Node) -> AABB:
 	return box
 
 
-# Draws one case, and prints the triangles and the part of the picture that the model can cover.
-func draw(box: AABB, distance: float, case: Array) -> void:
+func difference(a: Image, b: Image) -> float:
+	return a.compute_image_metrics(b, false).root_mean_squared
+
+
+# Draws one case, and prints the triangles and the part of the picture that the model can cover. Returns that part.
+func draw(scenes: Dictionary, box: AABB, distance: float, which: String, pixels: float) -> Image:
+	for name: String in scenes:
+		scenes[name].visible = name == which
+	get_viewport().mesh_lod_threshold = pixels
 	var radius := box.size.length() / 2
 	_camera.position = box.get_center() + radius * distance * Vector3(0.45, 0.3, 0.85).normalized()
 	_camera.look_at(box.get_center())
@@ -90,4 +98,5 @@ func draw(box: AABB, distance: float, case: Array) -> void:
 	var half := mini(image.get_height() / 2, ceili(image.get_height() / 2.0 / sqrt(distance * distance - 1) / tan(deg_to_rad(FIELD_OF_VIEW / 2))) + 2)
 	var region := image.get_region(Rect2i(image.get_width() / 2 - half, image.get_height() / 2 - half, 2 * half, 2 * half))
 	region.convert(Image.FORMAT_RGB8)
-	print("RESULT ", JSON.stringify({"distance": distance, "which": case[0], "pixels": case[1], "drawn": drawn, "image": Marshalls.raw_to_base64(region.get_data()), "png": Marshalls.raw_to_base64(region.save_png_to_buffer())}))
+	print("RESULT ", JSON.stringify({"distance": distance, "which": which, "pixels": pixels, "drawn": drawn, "image": Marshalls.raw_to_base64(region.get_data()), "png": Marshalls.raw_to_base64(region.save_png_to_buffer())}))
+	return region

@@ -1,7 +1,8 @@
 // Compares the levels of the add-on with those that Godot makes (`ImporterMesh.generate_lods`), inside the engine:
-// `MESHES=... STRIATA=... npm run compare [ASSET ...]`. Prints the tables of docs/results/godot.md; $SHOTS is a folder for pictures.
+// `MESHES=... STRIATA=... npm run compare [ASSET ...]`. Prints the table of engines/godot/README.md. $SHOTS is a folder for pictures,
+// $RAW a file for all measurements, which a later run continues.
 
-import { mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 import { missing, project, run } from './engine.mjs';
@@ -64,9 +65,12 @@ async function measure(folder, asset) {
     const cases = own.filter((picture) => picture !== full).map((picture) => ({ ...picture, image: undefined, png: undefined, difference: difference(bytes(full), bytes(picture)) }));
     const godot = cases.find((one) => one.which === 'godot');
     const ours = cases.filter((one) => one.which === 'striata');
-    // The coarsest of the measured choices whose picture is at least as close as that of Godot; the full mesh if there is none.
-    const equal = ours.find((one) => one.difference <= godot.difference) ?? { drawn: full.drawn, difference: 0, pixels: 0 };
-    return { distance, full: full.drawn, godot, striata: ours[0], equal };
+    // The fewest triangles with a picture at least as close as Godot's, and the closest picture with at most as many triangles.
+    const close = [...ours, { drawn: full.drawn, difference: 0, pixels: 0 }].filter((one) => one.difference <= godot.difference);
+    const equal = close.reduce((best, one) => (one.drawn < best.drawn ? one : best));
+    const small = ours.filter((one) => one.drawn <= 1.01 * godot.drawn);
+    const closest = small.length > 0 ? small.reduce((best, one) => (one.difference < best.difference ? one : best)) : undefined;
+    return { distance, full: full.drawn, godot, striata: ours.find((one) => one.pixels === 1), equal, closest, ours };
   });
   return { times: results[0].times, rows };
 }
@@ -76,30 +80,36 @@ const count = (number) => number.toLocaleString('en');
 const ratio = (value) => value.toFixed(value < 0.1 ? 3 : 2);
 
 const assets = process.argv.length > 2 ? process.argv.slice(2) : Object.keys(ASSETS);
-const measured = {};
+const raw = process.env.RAW;
+const measured = raw && existsSync(raw) ? JSON.parse(readFileSync(raw)) : {};
 await inFolder(async (folder) => {
-  for (const asset of assets) {
+  for (const asset of assets.filter((asset) => !(asset in measured))) {
     measured[asset] = await measure(folder, asset);
     console.error(asset, JSON.stringify(measured[asset].times));
-    if (process.env.RAW) writeFileSync(process.env.RAW, JSON.stringify(measured));
+    if (raw) writeFileSync(raw, JSON.stringify(measured));
   }
 });
 
 const distances = measured[assets[0]].rows.map((row) => row.distance);
-console.log(`| asset | triangles | ${distances.map((distance) => `at ${distance}`).join(' | ')} | ratio | difference | at equal difference |`);
-console.log(`|${' --- |'.repeat(distances.length + 5)}`);
-const sums = { ratios: [], differences: [], equal: [] };
-for (const [asset, { rows }] of Object.entries(measured)) {
+console.log(`| asset | triangles | ${distances.map((distance) => `at ${distance}`).join(' | ')} | triangles, ratio | difference | triangles at equal difference | difference at equal triangles |`);
+console.log(`|${' --- |'.repeat(distances.length + 6)}`);
+const columns = { triangles: [], difference: [], 'triangles at equal difference': [], 'difference at equal triangles': [] };
+for (const asset of assets) {
+  const { rows } = measured[asset];
+  // Distances at which Godot draws the full mesh have no difference to compare.
+  const coarse = rows.filter((row) => row.godot.difference > 0);
   const drawn = mean(rows.map((row) => row.striata.drawn / row.godot.drawn));
-  const equal = mean(rows.map((row) => row.equal.drawn / row.godot.drawn));
+  const equal = mean(coarse.map((row) => row.equal.drawn / row.godot.drawn));
+  const closest = mean(coarse.filter((row) => row.closest).map((row) => row.closest.difference / row.godot.difference));
   const differences = ['godot', 'striata'].map((which) => Math.sqrt(rows.reduce((sum, row) => sum + row[which].difference ** 2, 0) / rows.length));
-  sums.ratios.push(drawn);
-  sums.equal.push(equal);
-  // If Godot makes no levels, its picture is that of the full mesh.
-  if (differences[0] > 0) sums.differences.push(differences[1] / differences[0]);
-  console.log(`| ${asset} | ${count(rows[0].full)} | ${rows.map((row) => `${count(row.godot.drawn)} / ${count(row.striata.drawn)}`).join(' | ')} | ${ratio(drawn)} | ${differences.map((value) => value.toFixed(1)).join(' / ')} | ${ratio(equal)} |`);
+  columns.triangles.push(drawn);
+  if (coarse.length > 0) columns.difference.push(differences[1] / differences[0]);
+  if (coarse.length > 0) columns['triangles at equal difference'].push(equal);
+  if (closest > 0) columns['difference at equal triangles'].push(closest);
+  const cells = [count(rows[0].full), ...rows.map((row) => `${count(row.godot.drawn)} / ${count(row.striata.drawn)}`), ratio(drawn), differences.map((value) => value.toFixed(1)).join(' / '), ...[equal, closest].map((value) => (value > 0 ? ratio(value) : '–'))];
+  console.log(`| ${asset} | ${cells.join(' | ')} |`);
 }
 const spread = (values) => `${ratio(mean(values))} (${ratio(Math.min(...values))} to ${ratio(Math.max(...values))})`;
-console.log(`\nGeometric means and ranges over ${assets.length} assets: triangles ${spread(sums.ratios)}, difference ${spread(sums.differences)}, triangles at equal difference ${spread(sums.equal)}.`);
-const times = Object.values(measured).map(({ times }) => Math.max(1, times.import - times.parse) / Math.max(1, times.generate));
-console.log(`Time to make levels compared with Godot's generator: ${spread(times)}.`);
+console.log(`\nGeometric means and ranges over ${assets.length} assets: ${Object.entries(columns).map(([name, values]) => `${name} ${spread(values)}`).join('; ')}.`);
+const times = assets.map((asset) => measured[asset].times).map(({ parse, generate, import: all }) => Math.max(1, all - parse) / Math.max(1, generate));
+console.log(`Time to make levels, compared with Godot's generator: ${spread(times)}.`);
