@@ -27,7 +27,7 @@ function templateFolder() {
 /** Returns why nothing can be run here, or undefined. */
 export function missing() {
   if (!existsSync(CHROMIUM)) return `${CHROMIUM} does not exist; run apt-get install chromium, or set CHROMIUM`;
-  if (!templateFolder()) return 'the web template is missing; run npm install in engines/godot/test';
+  if (!templateFolder()) return 'the web template is missing; run npm ci in engines/godot/test';
   return undefined;
 }
 

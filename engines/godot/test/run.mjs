@@ -1,4 +1,4 @@
-// Tests of the add-on in the web template of Godot: `npm install && npm test`. Needs Chromium and the command (see models.mjs).
+// Tests of the add-on in the web template of Godot: `npm ci && npm test`. Needs Chromium and the command (see models.mjs).
 
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
