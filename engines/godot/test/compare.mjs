@@ -91,20 +91,20 @@ await inFolder(async (folder) => {
 });
 
 const distances = measured[assets[0]].rows.map((row) => row.distance);
-console.log(`| asset | triangles | ${distances.map((distance) => `at ${distance}`).join(' | ')} | triangles, ratio | difference | triangles at equal difference | difference at equal triangles |`);
+console.log(`| asset | triangles | ${distances.map((distance) => `at ${distance}`).join(' | ')} | ratio | difference | equal pictures | equal triangles |`);
 console.log(`|${' --- |'.repeat(distances.length + 6)}`);
-const columns = { triangles: [], difference: [], 'triangles at equal difference': [], 'difference at equal triangles': [] };
+const columns = { triangles: [], difference: [], 'triangles for equal pictures': [], 'difference at equal triangles': [] };
 for (const asset of assets) {
   const { rows } = measured[asset];
   // Distances at which Godot draws the full mesh have no difference to compare.
   const coarse = rows.filter((row) => row.godot.difference > 0);
   const drawn = mean(rows.map((row) => row.striata.drawn / row.godot.drawn));
   const equal = mean(coarse.map((row) => row.equal.drawn / row.godot.drawn));
-  const closest = mean(coarse.filter((row) => row.closest).map((row) => row.closest.difference / row.godot.difference));
+  const closest = mean(coarse.filter((row) => row.closest?.difference > 0).map((row) => row.closest.difference / row.godot.difference));
   const differences = ['godot', 'striata'].map((which) => Math.sqrt(rows.reduce((sum, row) => sum + row[which].difference ** 2, 0) / rows.length));
   columns.triangles.push(drawn);
   if (coarse.length > 0) columns.difference.push(differences[1] / differences[0]);
-  if (coarse.length > 0) columns['triangles at equal difference'].push(equal);
+  if (coarse.length > 0) columns['triangles for equal pictures'].push(equal);
   if (closest > 0) columns['difference at equal triangles'].push(closest);
   const cells = [count(rows[0].full), ...rows.map((row) => `${count(row.godot.drawn)} / ${count(row.striata.drawn)}`), ratio(drawn), differences.map((value) => value.toFixed(1)).join(' / '), ...[equal, closest].map((value) => (value > 0 ? ratio(value) : '–'))];
   console.log(`| ${asset} | ${cells.join(' | ')} |`);
