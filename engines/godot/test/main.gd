@@ -171,17 +171,26 @@ func test_settings() -> void:
 			ProjectSettings.set_setting(name, Settings.DEFAULTS[name])
 
 
-# Draws Spot from several distances: the engine must choose the level by its error.
+# Draws Spot from several distances, the GLB file and the resource: the engine must choose the level by its error.
 func test_drawing() -> void:
-	var instance := MeshInstance3D.new()
-	instance.mesh = parse("res://models/spot.glb").meshes[0].mesh.get_mesh()
-	add_child(instance)
 	var camera := Camera3D.new()
+	camera.far = 200.0
 	add_child(camera)
+	var light := DirectionalLight3D.new()
+	light.rotation_degrees = Vector3(-40, 30, 0)
+	add_child(light)
+	var instance := MeshInstance3D.new()
+	add_child(instance)
 	get_viewport().mesh_lod_threshold = 1.0
+	var meshes: Array[Mesh] = [parse("res://models/spot.glb").meshes[0].mesh.get_mesh(), load("res://resources/spot.tres")]
 	for distance: float in [2.0, 5.0, 20.0, 80.0]:
 		camera.position = Vector3(0, 0, distance)
-		camera.far = 200.0
-		for frame in 3:
-			await RenderingServer.frame_post_draw
-		result({"distance": distance, "drawn": RenderingServer.viewport_get_render_info(get_viewport().get_viewport_rid(), RenderingServer.VIEWPORT_RENDER_INFO_TYPE_VISIBLE, RenderingServer.VIEWPORT_RENDER_INFO_PRIMITIVES_IN_FRAME)})
+		var drawn: Array[int] = []
+		var pictures: Array[Image] = []
+		for mesh in meshes:
+			instance.mesh = mesh
+			for frame in 3:
+				await RenderingServer.frame_post_draw
+			drawn.append(RenderingServer.viewport_get_render_info(get_viewport().get_viewport_rid(), RenderingServer.VIEWPORT_RENDER_INFO_TYPE_VISIBLE, RenderingServer.VIEWPORT_RENDER_INFO_PRIMITIVES_IN_FRAME))
+			pictures.append(get_viewport().get_texture().get_image())
+		result({"distance": distance, "drawn": drawn, "difference": pictures[0].compute_image_metrics(pictures[1], false)})
