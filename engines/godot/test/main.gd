@@ -37,6 +37,9 @@ func _ready() -> void:
 		print("IMPORT ", file)
 		var state := parse("res://malformed/" + file)
 		result({"malformed": file, "rows": LevelTable.rows(state.meshes[0].mesh).size()})
+	print("IMPORT partial")
+	var part: ImporterMesh = parse("res://partial/speck.glb").meshes[0].mesh
+	result({"partial": range(part.get_surface_count()).map(part.get_surface_lod_count)})
 	test_settings()
 	var cutter := Cutter.new()
 	GLTFDocument.register_gltf_document_extension(cutter, true)

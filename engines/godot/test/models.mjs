@@ -118,6 +118,13 @@ function writeGlb({ json, binary }) {
   return Buffer.concat([words(0x46546c67, 2, total), words(text.length, 0x4e4f534a), text, words(binary.length, 0x004e4942), binary]);
 }
 
+/** Returns a file whose second primitive lacks the extension. */
+export function partial(bytes) {
+  const glb = openGlb(bytes);
+  delete glb.json.meshes[0].primitives[1].extensions;
+  return writeGlb(glb);
+}
+
 /** Returns malformed variants of a file with ranges, a `Map` from names to `{ bytes, message }`: what the add-on must say. */
 export function malformed(bytes) {
   const variants = {

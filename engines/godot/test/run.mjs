@@ -5,7 +5,7 @@ import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 
 import { missing, project, run } from './engine.mjs';
-import { ROOT, build, cannotBuild, inFolder, malformed, openGlb, testModels } from './models.mjs';
+import { ROOT, build, cannotBuild, inFolder, malformed, openGlb, partial, testModels } from './models.mjs';
 
 const reason = missing() ?? cannotBuild();
 if (reason) {
@@ -144,7 +144,7 @@ await inFolder(async (folder) => {
   const files = project(readFileSync(new URL('main.gd', import.meta.url)), [640, 480]);
   const addon = join(ROOT, 'engines/godot/addons/striata');
   readdirSync(addon).forEach((name) => files.set(`addons/striata/${name}`, readFileSync(join(addon, name))));
-  for (const [place, set] of [['models', models], ['malformed', new Map([...broken].map(([name, { bytes }]) => [name, bytes]))], ['resources', resources]]) set.forEach((bytes, name) => files.set(`${place}/${name}`, bytes));
+  for (const [place, set] of [['models', models], ['malformed', new Map([...broken].map(([name, { bytes }]) => [name, bytes]))], ['resources', resources], ['partial', new Map([['speck.glb', partial(models.get('speck.glb'))]])]]) set.forEach((bytes, name) => files.set(`${place}/${name}`, bytes));
   // The classes of the editor do not exist in the template.
   const stub = (name, lines) => readFileSync(join(addon, name), 'utf8').replaceAll(/^extends .*$/gm, lines).replaceAll(/: Editor\w+/g, '').replaceAll('preload("', 'preload("res://addons/striata/');
   files.set('stubs/plugin.gd', stub('plugin.gd', `extends Node
@@ -179,6 +179,10 @@ func add_custom_control(control: Control) -> void: controls.append(control)`));
     assert(message?.includes(broken.get(name).message), `${name}: ${message}`);
   }
   console.log(`${broken.size} malformed files are refused by name`);
+
+  const [first, second] = of('partial')[0].partial;
+  assert(first > 0 && second === 0, `${first} and ${second} levels`);
+  assert.match(section('partial'), /WARNING: 1 surfaces of mesh 0 .* have no STRIATA_order/);
 
   assert.equal(of('cut')[0].cut, 1);
   assert.match(messages.slice(messages.indexOf('IMPORT cut')).join('\n'), /levels of mesh 0 .* were left out: the importer changed/);
@@ -219,7 +223,7 @@ func add_custom_control(control: Control) -> void: controls.append(control)`));
   assert(difference < 1, `spot.tres differs by ${difference}`);
   console.log(`the engine draws ${predicted.join(', ')} triangles of spot at distances of ${of('distance').map((result) => result.distance).join(', ')}; spot.tres differs by ${difference} of 255`);
 
-  const expected = /malformed and was ignored|were left out: the importer changed/;
+  const expected = /malformed and was ignored|were left out: the importer changed|have no STRIATA_order/;
   const errors = messages.filter((text) => /^(USER )?(ERROR|WARNING|SCRIPT ERROR)/.test(text) && !expected.test(text));
   const known = /global script cache|Sparse indices buffer view size/;
   assert.deepEqual(errors.filter((text) => !known.test(text)), [], 'other messages of the engine');

@@ -28,6 +28,10 @@ func _import_post_parse(state: GLTFState) -> Error:
 		if not builder.problem.is_empty():
 			push_warning("The levels of %s were left out: %s" % [place, builder.problem])
 			continue
+		var all: Array = meshes[index].primitives
+		var lacking := all.filter(func(primitive: Dictionary) -> bool: return primitive.get("mode", 4) == 4).size() - order.primitives.size()
+		if lacking > 0:
+			push_warning("%d surfaces of %s have no STRIATA_order, and stay at full detail while the others have levels" % [lacking, place])
 		var mesh := builder.build()
 		if Settings.value(Settings.KEEP_FROM_GENERATOR):
 			# The editor makes its own levels only for meshes without this.
