@@ -1,5 +1,6 @@
 # Levels of STRIATA_order (docs/STRIATA_order.md) in Godot 4: meshes are imported with `lods`.
-# Register it in a plugin: GLTFDocument.register_gltf_document_extension(preload("order.gd").new())
+# This is the rule in a few lines: the add-on in engines/godot also checks the extension, and gives levels to meshes of
+# several materials, whose vertices Godot's importer distributes. Register it in a plugin: GLTFDocument.register_gltf_document_extension(preload("order.gd").new())
 extends GLTFDocumentExtension
 
 func _get_supported_extensions() -> PackedStringArray:

@@ -11,7 +11,7 @@
 //!
 //! Images lie next to the file, where Godot imports them. Skins, morph targets, animations, lights and cameras are left
 //! out, with a remark for each kind: scenes with them are better imported from a GLB file with levels (`docs/STRIATA_order.md`),
-//! by the script in `examples/ordered-glb`.
+//! by the add-on in `engines/godot`.
 
 mod material;
 mod surface;
