@@ -567,3 +567,56 @@ fn many_clients_get_correct_bytes_and_memory_stays_constant() {
     let used_kb = outcome.peak_kb - idle_kb;
     assert!(used_kb < 90_000, "{used_kb} kB over {idle_kb} kB");
 }
+
+/// A site has everything that the server would send, under the same addresses.
+#[test]
+fn a_site_has_the_page_the_models_and_their_pictures() {
+    let bench = folder();
+    let assert = bench.command("serve --write-to site --json").arg("sub folder").assert().success();
+    let report: Value = serde_json::from_slice(&assert.get_output().stdout).expect("JSON");
+    assert_keys(&report, &["folder", "models", "bytes"]);
+    let listing: Value = serde_json::from_slice(&bench.read("site/models.json")).expect("JSON");
+    let models = listing["models"].as_array().expect("a list");
+    assert_eq!(report["models"], models.len());
+    let picture_of = |path: &str| {
+        let model = models.iter().find(|model| model["path"] == path).expect("it is listed");
+        model["picture"].as_str().map(str::to_owned)
+    };
+    assert_eq!(picture_of("broken.ply"), None);
+    let warning = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
+    assert!(warning.contains("broken.ply is broken: "), "{warning}");
+    assert_eq!(picture_of("ä #1.obj").as_deref(), Some("pictures/%C3%A4%20%231.obj.png"));
+    assert!(bench.read("site/pictures/ä #1.obj.png").starts_with(PNG));
+    for name in ["ä #1.obj", "deep/ball.stri", "buffer.bin"] {
+        assert_eq!(bench.read(&format!("site/models/{name}")), bench.read(&format!("sub folder/{name}")));
+    }
+    // What must not be served is not copied either.
+    for name in [".hidden.obj", "notes.txt", "absolute.ply", "relative.ply", "way-out"] {
+        assert!(!bench.path(&format!("site/models/{name}")).exists(), "{name}");
+    }
+    let page = String::from_utf8(bench.read("site/index.html")).expect("UTF-8");
+    let (_, rest) = page.split_once("src=\"./").expect("the page loads a script");
+    let (script, _) = rest.split_once('"').expect("the attribute ends");
+    assert!(bench.path(&format!("site/{script}")).is_file(), "{script}");
+    assert!(bench.names().iter().all(|name| !name.contains("partial")), "{:?}", bench.names());
+}
+
+#[test]
+fn sites_replace_nothing_and_need_a_folder() {
+    let bench = folder();
+    bench.write("outside/taken.txt", "mine");
+    let message = bench.refused("serve deep --write-to outside").to_lowercase();
+    assert!(message.contains("deep"), "{message}");
+    for (served, to, reason) in [
+        ("sub folder", "outside", "there is something already"),
+        ("sub folder", "sub folder/site", "lies in the folder of the models"),
+        ("ball.stri", "site", "is one model, and a site needs a folder"),
+        ("sub folder", "missing/site", "missing"),
+    ] {
+        let assert = bench.command("serve").arg(served).arg("--write-to").arg(to).assert().failure();
+        let message = String::from_utf8_lossy(&assert.get_output().stderr).into_owned();
+        assert!(message.contains(reason), "{served} to {to}: {message}");
+    }
+    assert_eq!(bench.read("outside/taken.txt"), b"mine");
+    assert!(!bench.path("site").exists() && !bench.path("missing").exists());
+}
