@@ -9,7 +9,7 @@ use super::guard::HostName;
 /// Arguments of `serve`.
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Examples:\n  striata serve models\n  striata serve bunny.striata --port 0 --open\n  striata serve models --write-to site"
+    after_help = "Examples:\n  striata serve bunny.striata --port 0 --open\n  striata serve models --write-to site"
 )]
 pub struct ServeArgs {
     /// Serve this folder, including subfolders, or a single file
