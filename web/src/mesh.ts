@@ -253,7 +253,7 @@ export class StriataMesh extends Mesh<BufferGeometry, Material | Material[], Str
     if (this.kind === 'paged') return Promise.reject(new StriataError('unsupported', 'the levels of a paged file do not share their vertices'));
     return new Promise((resolve) => {
       this.#pendingIndices.push({ request, resolve });
-      this.#send();
+      this.#requestUpdate();
     });
   }
 

@@ -129,7 +129,7 @@ export interface StriataLod {
   readonly meshes: readonly Mesh[];
   /**
      * Returns the indices of a level, one list for each primitive, over the attributes of its geometry, which all levels share: for
-     * `BatchedMesh`, `InstancedMesh`, `THREE.LOD`.
+     * `InstancedMesh` or `THREE.LOD`; `batchLevels` makes a `BatchedMesh`.
      */
   indices(target: LevelTarget): Promise<Uint32Array[]>;
   /** Returns the step that adds a vertex, by its number in the attributes; null for vertices of the base mesh. */

@@ -21,6 +21,7 @@ export default function examples(world) {
     const arm = join(web, '../assets/arm.glb');
     run('encode', '-q', arm, '-o', join(world.folder, 'arm.stri'));
     run('encode', '-q', arm, '-o', join(world.folder, 'arm-lod.glb'));
+    run('build', '-q', join(web, '../assets/spot.obj.zst'), '-o', join(world.folder, 'spot-ordered.glb'), '--ranges', '4');
   });
   after(() => server?.close());
 
@@ -47,6 +48,17 @@ export default function examples(world) {
     await page.waitForFunction(() => document.getElementById('viewer').loaded);
     assert.deepEqual(await page.evaluate(() => document.getElementById('viewer').availableAnimations), ['wave']);
     await shot(page, 'example-model-viewer');
+  });
+
+  pageTest(world, 'the example of a crowd', {}, async (page) => {
+    await page.goto(`${server.url}examples/crowd/index.html?model=/models/spot-ordered.glb&count=900`);
+    await page.waitForFunction(() => window.crowd?.frame.ms > 0);
+    const drawn = () => page.evaluate(() => window.crowd.frame.triangles);
+    const withLevels = await drawn();
+    await shot(page, 'example-crowd');
+    await page.locator('[name=levels]').uncheck();
+    await page.waitForFunction((before) => window.crowd.frame.triangles > before * 10, withLevels);
+    assert.ok(withLevels > 900, `${withLevels} triangles`);
   });
 
   test('a project that uses the package passes tsc --strict', { timeout: PATIENCE_MS }, () => {

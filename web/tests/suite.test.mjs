@@ -1,6 +1,7 @@
 // Tests the viewer in a browser, served by a real `striata serve`. Run with `node tests/run.mjs`.
 
 import { after, before, describe } from 'node:test';
+import batches from './batches.mjs';
 import detail from './detail.mjs';
 import errors from './errors.mjs';
 import examples from './examples.mjs';
@@ -27,5 +28,5 @@ describe('viewer', { concurrency: 1 }, () => {
   before(async () => void Object.assign(shared, await world()), { timeout: 1_200_000 });
   after(() => shared.end?.(), { timeout: 600_000 });
   const viewer = [streaming, detail, views, files, opening, paged, sceneViewer, saving, errors, looks, sharing, pictures, inspecting, models, phone];
-  for (const group of [...viewer, scenes, references, examples, speed]) group(shared);
+  for (const group of [...viewer, scenes, batches, references, examples, speed]) group(shared);
 });

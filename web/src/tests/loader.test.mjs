@@ -93,6 +93,17 @@ test('budgets of any size are respected', async () => {
   mesh.dispose();
 });
 
+test('requests for indices are answered in turn, and the shown level stays', async () => {
+  const mesh = await loadWhole();
+  mesh.triangleBudget = 700;
+  const counts = [];
+  for (const triangles of [500, 400, 300]) counts.push((await mesh.indicesOf({ by: 'triangles', value: triangles, limit: 0 }))[0].length / 3);
+  const together = await Promise.all([200, 100].map((value) => mesh.indicesOf({ by: 'triangles', value, limit: 0 })));
+  assert.deepEqual([...counts, ...together.map(([list]) => list.length / 3)], [500, 400, 300, 200, 100]);
+  assert.equal(await countAfterUpdate(mesh), 700);
+  mesh.dispose();
+});
+
 test('cameras that see nothing or upside down are handled', async () => {
   const mesh = await loadWhole();
   mesh.addEventListener('error', ({ error }) => assert.fail(error.message));

@@ -3,7 +3,7 @@
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import {
-  registerStriata, StriataError, StriataLoader, studioEnvironment, type LoaderOptions, type StriataLod, type StriataMesh, type StriataScene,
+  batchLevels, LevelBatch, registerStriata, StriataError, StriataLoader, studioEnvironment, type LoaderOptions, type StriataLod, type StriataMesh, type StriataScene,
 } from 'striata';
 
 const manager = new THREE.LoadingManager();
@@ -51,6 +51,16 @@ async function batch(lod: StriataLod): Promise<void> {
   geometry.attributes = mesh.geometry.attributes;
   geometry.setIndex(new THREE.BufferAttribute(indices, 1));
   lod.attach(mesh.clone());
+}
+
+export async function crowd(scene: THREE.Scene, camera: THREE.Camera, model: StriataScene): Promise<number> {
+  const batch: LevelBatch = await batchLevels(model, { maxInstances: 100 });
+  const trees = await batchLevels(await new GLTFLoader().loadAsync('ordered.glb'), { maxInstances: 5, object: new THREE.Group() });
+  scene.add(batch, trees);
+  const instance: number = batch.addInstance(new THREE.Matrix4());
+  batch.setMatrixAt(instance, new THREE.Matrix4()).setColorAt(instance, new THREE.Color()).setVisibleAt(instance, true);
+  for (const mesh of batch.meshes) mesh.sortObjects = false;
+  return batch.update(camera, 600, 2) + batch.levelAt(instance) + batch.triangleCount;
 }
 
 export const plugin: GLTFLoader = registerStriata(new GLTFLoader(), { worker: true });
