@@ -26,7 +26,7 @@ def staged(text, source, place):
 
     def linked(match):
         before, path, anchor = match.group(1), match.group(2), match.group(3) or ""
-        # The gallery refers to what lies beside it in the site.
+        # The gallery refers to other parts of the site.
         if ":" in path or path.startswith(("/", "../viewer/")):
             return match.group(0)
         target = posixpath.normpath(posixpath.join(posixpath.dirname(source), path))

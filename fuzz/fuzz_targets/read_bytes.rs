@@ -7,8 +7,19 @@ use striata::mesh::IndexedMesh;
 use striata_io::{Format, Source, WriteOptions, read_bytes, to_bytes};
 
 const NAMES: [&str; 13] = [
-    "x.ply", "x.obj", "x.stl", "x.off", "x.gltf", "x.glb", "x.obj.gz", "x.ply.zst", "x", "x.vtk", "x.vtp",
-    "x.vtu", "x.3mf",
+    "x.ply",
+    "x.obj",
+    "x.stl",
+    "x.off",
+    "x.gltf",
+    "x.glb",
+    "x.obj.gz",
+    "x.ply.zst",
+    "x",
+    "x.vtk",
+    "x.vtp",
+    "x.vtu",
+    "x.3mf",
 ];
 
 fuzz_target!(|data: &[u8]| {

@@ -6,8 +6,8 @@ use libfuzzer_sys::fuzz_target;
 use striata::file::{DecodeError, StriataFile, Verify};
 use striata::mesh::{FragmentSequence, RefinableMesh, canonical_triangles, fragment_faces, replay};
 use striata::model::{
-    FanFront, FanScene, Fans, Overlap, PatternInstance, PatternScene, Patterns, StoredModel, StripModel,
-    CriterionCondition,
+    CriterionCondition, FanFront, FanScene, Fans, Overlap, PatternInstance, PatternScene, Patterns,
+    StoredModel, StripModel,
 };
 use striata::view::{Camera, DetailBox, ScreenError};
 use striata_fuzz::with_correct_checksums;
@@ -16,7 +16,8 @@ fuzz_target!(|data: &[u8]| {
     let _ = read_all(data, Verify::WhenRead);
     let _ = read_all(&with_correct_checksums(data), Verify::All);
     // A truncated file contains only the beginning of its stream.
-    if let Ok(mesh) = striata_stream::open_truncated(&data[..data.len() * 7 / 8]).and_then(|file| file.mesh()) {
+    if let Ok(mesh) = striata_stream::open_truncated(&data[..data.len() * 7 / 8]).and_then(|file| file.mesh())
+    {
         assert_eq!(mesh.check(), Ok(()));
     }
 });

@@ -21,7 +21,10 @@ fuzz_target!(|data: &[u8]| {
         let vertex_count = blocks.vertex_count();
         let mut spool = StripSpool::new(Format::Ply, &folder).expect("PLY can be written");
         let report = stripify_blocks(&mut blocks, &BlockOptions::default(), &mut |_, strip| {
-            assert!(strip.iter().all(|&vertex| vertex < vertex_count), "a strip uses a vertex that is missing");
+            assert!(
+                strip.iter().all(|&vertex| vertex < vertex_count),
+                "a strip uses a vertex that is missing"
+            );
             spool.push(strip)
         });
         // An index may be the one that is reserved for restarts.

@@ -11,7 +11,7 @@ use crate::web::rustc_output;
 use crate::workspace;
 
 /// The oldest supported Rust version, inherited from the workspace like in every crate.
-pub(crate) const RUST_VERSION: &str = env!("CARGO_PKG_RUST_VERSION");
+const RUST_VERSION: &str = env!("CARGO_PKG_RUST_VERSION");
 
 /// Returns why this cannot be checked on this machine, if it cannot.
 pub(crate) fn obstacle() -> Option<String> {

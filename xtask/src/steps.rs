@@ -20,9 +20,9 @@ pub(crate) fn say(text: &str) {
 /// Which checks run.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum CheckExtent {
-    /// Those that every change must pass.
+    /// The checks that every change must pass.
     Quick,
-    /// Also those that few changes fail: everything that CONTRIBUTING.md lists.
+    /// The checks of changes, and those that few changes fail: everything that CONTRIBUTING.md lists.
     All,
 }
 

@@ -66,13 +66,13 @@ pub(crate) unsafe fn text<'a>(name: &str, pointer: *const c_char) -> CallResult<
 #[derive(Clone, Copy)]
 pub(crate) struct StridedRows {
     /// Address of the first number.
-    pub(crate) data: *const u8,
+    pub data: *const u8,
     /// Distance between the starts of two rows, in bytes; 0 if they follow each other.
-    pub(crate) stride: usize,
+    pub stride: usize,
     /// Number of rows.
-    pub(crate) count: usize,
+    pub count: usize,
     /// Numbers of a row.
-    pub(crate) width: usize,
+    pub width: usize,
 }
 
 impl StridedRows {

@@ -121,7 +121,7 @@ impl SceneLook {
 }
 
 /// Whether a group of a mesh has a material that says more than its name.
-pub(crate) fn has_materials(mesh: &IndexedMesh) -> bool {
+fn has_materials(mesh: &IndexedMesh) -> bool {
     let materials = &mesh.appearance.materials;
     let is_described = |group: &TriangleGroup| {
         let material = group.material.and_then(|material| materials.get(material as usize));

@@ -15,7 +15,7 @@ use striata_paged::{Metadata, StepTiers};
 use crate::textures::TileTextures;
 
 /// Most levels above the finest.
-pub(crate) const MAX_LEVEL: u32 = 14;
+const MAX_LEVEL: u32 = 14;
 /// Base-2 logarithm of the number of steps of a tile's side, rounded up.
 const SIDE_BITS: i32 = 15;
 /// Number of bits of the steps of cubes.

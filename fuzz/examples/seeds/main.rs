@@ -119,7 +119,12 @@ fn containers(mesh: &IndexedMesh) -> Result<[Container; 5], Box<dyn Error>> {
     let fragmented = FragmentedMesh::from_collapses(&refinable);
     let patterns = Patterns::build(&fragmented)?;
     let mut fragments = Vec::new();
-    write_fragments(&fragmented, &[FileModel::Patterns(&patterns)], &WriteOptions::default(), &mut fragments)?;
+    write_fragments(
+        &fragmented,
+        &[FileModel::Patterns(&patterns)],
+        &WriteOptions::default(),
+        &mut fragments,
+    )?;
     Ok([
         ("strips", written(&strips)?),
         ("fans", written(&[FileModel::Fans(&fans)])?),

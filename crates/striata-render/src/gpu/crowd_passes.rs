@@ -11,7 +11,7 @@ pub(crate) const PASS_COUNT: usize = 7;
 pub(crate) const DECIDING_COUNT: usize = 5;
 
 /// Number of bindings of `crowd.wgsl`.
-pub(crate) const BINDING_COUNT: usize = 20;
+const BINDING_COUNT: usize = 20;
 
 /// Threads in a workgroup.
 pub(crate) const THREADS: u32 = 64;

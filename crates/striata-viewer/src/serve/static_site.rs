@@ -68,7 +68,7 @@ fn check(folder: &Folder, to: &Path) -> Result<(), Failure> {
     if parent.starts_with(folder.path()) || to.canonicalize().is_ok_and(|to| to.starts_with(folder.path())) {
         let failure = Failure::usage(format!("{} lies in the folder of the models", to.display()));
         return Err(
-            failure.with_hint("name a folder beside it, so that the next site does not contain this one")
+            failure.with_hint("name a folder outside, so that the next site does not contain this one")
         );
     }
     Ok(())

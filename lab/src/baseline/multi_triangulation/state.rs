@@ -24,7 +24,7 @@ pub struct MultiTriangulationState {
     shown_index_of: Vec<u32>,
     /// For each fragment, the number of its ceiling triangles that other fragments have replaced; 0 for a
     /// fragment on top.
-    pub(super) replaced_counts: Vec<u32>,
+    pub replaced_counts: Vec<u32>,
 }
 
 impl MultiTriangulationState {

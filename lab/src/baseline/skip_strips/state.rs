@@ -9,7 +9,8 @@ use crate::baseline::repetitions::write_filtered;
 /// States are equal if they are at the same level and show the same strips.
 #[derive(Clone, Debug)]
 pub struct SkipStripsState {
-    pub(super) split_count: usize,
+    /// Number of steps that are split.
+    pub split_count: usize,
     /// Display strips, each in a buffer as long as its strip of the full mesh.
     display: Vec<u32>,
     /// First index and current length of each buffer.

@@ -24,10 +24,10 @@ const CODE: &str = concat!(
 /// Pipelines are created when a frame first needs them, so the first picture of a kind of mesh takes longer.
 #[derive(Debug)]
 pub(crate) struct LitProgram {
-    pub(crate) frame_layout: BindGroupLayout,
-    pub(crate) material_layout: BindGroupLayout,
-    pub(crate) object_layout: BindGroupLayout,
-    pub(crate) reflectance: TextureView,
+    pub frame_layout: BindGroupLayout,
+    pub material_layout: BindGroupLayout,
+    pub object_layout: BindGroupLayout,
+    pub reflectance: TextureView,
     program: Program,
     samples: u32,
     pipelines: Mutex<HashMap<PipelineKey, RenderPipeline>>,
