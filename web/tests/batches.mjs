@@ -11,6 +11,9 @@ export default function batches(world) {
   let server;
   before(async () => {
     server = await staticServer(world.folder);
+    const arm = join(web, '../assets/arm.glb');
+    run('encode', '-q', arm, '-o', join(world.folder, 'arm.stri'));
+    run('encode', '-q', arm, '-o', join(world.folder, 'arm-lod.glb'));
     run('build', '-q', join(web, '../assets/spot.obj.zst'), '-o', join(world.folder, 'spot-ordered.glb'), '--ranges', '4');
   });
   after(() => server?.close());
@@ -137,5 +140,37 @@ export default function batches(world) {
     assert.ok(seen.casts && seen.toPlain < 0.05, `a mean difference of ${seen.toPlain} to the plain mesh`);
     assert.ok(seen.toEmpty > 1 && seen.toCoarse > 0.5, JSON.stringify(seen));
     await shot(page, 'batch-shadow');
+  });
+
+  pageTest(world, 'a batch of a mesh of a streamed scene', {}, async (page) => {
+    await open(page);
+    const seen = await page.evaluate(async () => {
+      const gltf = await registerStriata(new GLTFLoader()).loadAsync('/models/arm-lod.glb');
+      const streamed = await new StriataLoader().loadAsync('/models/arm.stri');
+      const results = [];
+      for (const [model, lods] of [[streamed, streamed.lods], [gltf, gltf.userData.striata.lods]]) {
+        // Levels that have not arrived yet are waited for.
+        const object = await (model.finished ?? gltf.userData.striata.finished).then(() => lods[1].meshes[0]);
+        const batch = await batchLevels(model, { maxInstances: 2, object });
+        const coarsest = batch.levelAt(batch.addInstance(new THREE.Matrix4()));
+        const [mesh] = batch.meshes;
+        const counts = [];
+        let same = 0;
+        for (let level = 0; level <= coarsest; level++) {
+          const { start, count } = mesh.getGeometryRangeAt(level);
+          const [list] = await lods[1].indices({ triangles: count / 3 });
+          counts.push(count / 3);
+          same += String(list) === String(mesh.geometry.index.array.subarray(start, start + count)) ? 1 : 0;
+        }
+        const refusal = await batchLevels(model, { maxInstances: 1 }).catch(({ code }) => code);
+        results.push({ counts, same, isShared: mesh.geometry.attributes.position === object.geometry.attributes.position, refusal });
+      }
+      streamed.dispose();
+      return results;
+    });
+    for (const { counts, same, isShared, refusal } of seen) {
+      assert.deepEqual([same, isShared, refusal], [counts.length, true, 'unsupported']);
+      assert.ok(counts.length > 6 && counts[0] === 5120 && counts.at(-1) < 50, String(counts));
+    }
   });
 }
