@@ -5,10 +5,10 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use numpy::PyArray2;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
-use striata::{Cancelled, ProgressFn};
 use striata::file::DecodeError;
 use striata::mesh::IndexedMesh;
 use striata::simplify::{BatchOptions, build_batches_with_progress};
+use striata::{Cancelled, ProgressFn};
 use striata_io::Scene;
 use striata_scene::stream::SceneStreamOptions;
 use striata_stream::{
