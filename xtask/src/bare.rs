@@ -2,8 +2,7 @@
 //! graphics drivers.
 //!
 //! The demo is the first command of the README. It must succeed in each case, write the same files, and draw
-//! the same pictures. This uses the release build, as a new user would, and runs before anything is
-//! installed.
+//! the same pictures. The release build that draws on a GPU does, and it runs before anything is installed.
 
 use std::collections::BTreeSet;
 use std::fs::File;

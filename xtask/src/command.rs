@@ -1,4 +1,4 @@
-//! Builds the striata command as a new user does.
+//! Builds the striata command that the checks run.
 
 use std::path::PathBuf;
 
@@ -10,12 +10,13 @@ use crate::target_folder;
 /// Features of the complete command.
 pub(crate) const FULL: &str = "striata-cli/full";
 
-/// Builds the optimized command with its default features, unless that has been done, and returns its path.
+/// Builds the optimized command with its default features and GPU pictures, unless that has been done, and returns its
+/// path.
 ///
 /// # Errors
 /// If it does not compile.
 pub(crate) fn built_command() -> Result<PathBuf> {
-    steps::run(&mut cargo(&["build", "--release", "--package", "striata-cli"]))?;
+    steps::run(&mut cargo(&["build", "--release", "--package", "striata-cli", "--features", "gpu"]))?;
     let command = target_folder()?.join("release").join(format!("striata{}", std::env::consts::EXE_SUFFIX));
     ensure!(command.is_file(), "{} does not exist", command.display());
     Ok(command)

@@ -55,7 +55,7 @@ pub(crate) fn run() -> Result<()> {
 pub(crate) fn check_wheel() -> Result<()> {
     let builder = VirtualEnvironment::new(target_folder()?.join("py/venv"))?;
     builder.install(&["-r", "tests/requirements.txt"])?;
-    let wheel = builder.build_wheel()?;
+    let wheel = builder.build_wheel("dist")?;
     let fresh = target_folder()?.join("py/fresh");
     machine::remove_folder(&fresh)?;
     let fresh = VirtualEnvironment::new(fresh)?;
@@ -117,15 +117,15 @@ impl VirtualEnvironment {
 
     /// Builds the wheel and installs it.
     fn install_wheel(&self) -> Result<()> {
-        let wheel = self.build_wheel()?;
+        let wheel = self.build_wheel("release")?;
         self.install(&["--force-reinstall", "--no-deps", &wheel.to_string_lossy()])
     }
 
-    /// Builds the wheel in release mode, since the tests measure times.
-    fn build_wheel(&self) -> Result<PathBuf> {
+    /// Builds the wheel with a profile; none of them is unoptimized, since tests measure times.
+    fn build_wheel(&self, profile: &str) -> Result<PathBuf> {
         let wheels = target_folder()?.join("py/wheels");
         machine::remove_folder(&wheels)?;
-        let build = ["-m", "maturin", "build", "--release", "--out"];
+        let build = ["-m", "maturin", "build", "--profile", profile, "--out"];
         let target = target_folder()?;
         steps::run(self.command(&build).arg(&wheels).env("CARGO_TARGET_DIR", target))?;
         the_wheel(&wheels)

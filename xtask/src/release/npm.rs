@@ -1,26 +1,82 @@
 //! The npm package as it is published.
 
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use anyhow::{Context, Result, ensure};
-use serde_json::Value;
+use serde_json::{Value, json};
 
-use crate::{web, workspace};
+use crate::{machine, steps, target_folder, web, workspace};
 
-/// Builds the package, and checks that what it exports is in it.
+/// A page of a new project, with the example of the package's README.
+const PAGE: &str = "<!doctype html><script type=\"module\" src=\"./main.js\"></script>";
+const SCRIPT: &str = "import { Scene } from 'three';
+import { StriataLoader, studioEnvironment } from 'striata';
+const [scene, loader] = [new Scene(), new StriataLoader()];
+scene.environment = studioEnvironment();
+scene.add(await loader.loadAsync('helmet.stri'));
+";
+
+/// Builds the package, checks that what it exports is in it, and uses it in a new project.
 ///
 /// # Errors
-/// If it cannot be built or packed, or lacks a file.
+/// If it cannot be built, packed or used, or lacks a file.
 pub(crate) fn check() -> Result<()> {
     web::prepare_library(web::WasmBuild::Published)?;
-    let folder = workspace().join("web");
+    let kit = target_folder()?.join("release-kit/npm");
+    machine::remove_folder(&kit)?;
+    fs::create_dir_all(&kit)?;
     let mut pack = Command::new("npm");
-    pack.args(["pack", "--dry-run", "--json", "--ignore-scripts"]).current_dir(&folder);
-    let output = pack.output().context("cannot start npm")?;
+    pack.args(["pack", "--json", "--ignore-scripts", "--pack-destination"]).arg(&kit);
+    let output = pack.current_dir(workspace().join("web")).output().context("cannot start npm")?;
     ensure!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr).trim_end());
     let packed: Value = serde_json::from_slice(&output.stdout).context("npm pack")?;
-    let package: Value = serde_json::from_str(&std::fs::read_to_string(folder.join("package.json"))?)?;
-    check_exports(&package, &packed[0]["files"])
+    let package = package()?;
+    check_exports(&package, &packed[0]["files"])?;
+    let name = packed[0]["filename"].as_str().context("npm pack names no file")?;
+    check_project(&package, &kit, &kit.join(name))
+}
+
+fn package() -> Result<Value> {
+    Ok(serde_json::from_str(&fs::read_to_string(workspace().join("web/package.json"))?)?)
+}
+
+/// Installs the packed package in a new project as its users do, and builds a page with Vite.
+fn check_project(package: &Value, kit: &Path, tarball: &Path) -> Result<()> {
+    let folder = kit.join("project");
+    fs::create_dir_all(&folder)?;
+    let versions = &package["devDependencies"];
+    let project = json!({
+        "private": true,
+        "type": "module",
+        "dependencies": { "striata": format!("file:{}", tarball.display()), "three": versions["three"] },
+        "devDependencies": { "vite": versions["vite"] },
+        "overrides": package["overrides"],
+    });
+    fs::write(folder.join("package.json"), project.to_string())?;
+    fs::write(folder.join("index.html"), PAGE)?;
+    fs::write(folder.join("main.js"), SCRIPT)?;
+    steps::run_twice(Command::new("npm").args(["install", "--no-audit", "--no-fund"]).current_dir(&folder))?;
+    steps::run(Command::new("npx").args(["vite", "build", "--target", "es2022"]).current_dir(&folder))?;
+    let built = files(&folder.join("dist/assets"))?;
+    for module in files(&workspace().join("web/dist"))?.iter().filter(|file| is_wasm(file)) {
+        let stem = module.file_stem().unwrap_or_default().to_string_lossy();
+        let is_copy = |file: &&PathBuf| {
+            is_wasm(file) && file.file_name().is_some_and(|name| name.to_string_lossy().starts_with(&*stem))
+        };
+        ensure!(built.iter().any(|file| is_copy(&file)), "the built project has no {stem}.wasm");
+    }
+    Ok(())
+}
+
+fn is_wasm(file: &Path) -> bool {
+    file.extension().is_some_and(|extension| extension == "wasm")
+}
+
+fn files(folder: &Path) -> Result<Vec<PathBuf>> {
+    let entries = fs::read_dir(folder).with_context(|| folder.display().to_string())?;
+    entries.map(|entry| Ok(entry?.path())).collect()
 }
 
 /// Checks that every exported path is among the packed files.

@@ -18,6 +18,8 @@ pub(super) struct PreparedImage {
     pub is_early: bool,
     /// Area that the image is seen on, square units of the scene, weighted by role.
     area: f64,
+    /// Contrast that the preview shows and that a single color has lost, 0 to 1.
+    contrast: f64,
     /// Contrast that the preview has lost, 0 to 1.
     lost_contrast: f64,
 }
@@ -56,22 +58,26 @@ pub(super) fn prepare(
         if let Ok(info) = image_info(&image.bytes) {
             entry.size = (info.width, info.height);
         }
-        let Some((preview, average, lost_contrast)) = preview_of(&image.bytes, role, preview_side) else {
+        let Some(SmallImage { bytes, average, contrast, lost_contrast }) =
+            preview_of(&image.bytes, role, preview_side)
+        else {
             let is_early = !image.bytes.is_empty() && image.bytes.len() <= EARLY_BYTES;
-            return PreparedImage {
-                entry,
-                is_early,
-                area,
-                lost_contrast: UNKNOWN_CONTRAST,
-                ..Default::default()
-            };
+            let lost_contrast = UNKNOWN_CONTRAST;
+            return PreparedImage { entry, is_early, area, lost_contrast, ..Default::default() };
         };
         entry.average = average;
-        if image.bytes.len() <= EARLY_FACTOR * preview.len() {
-            return PreparedImage { entry, is_early: true, area, lost_contrast, ..Default::default() };
+        if image.bytes.len() <= EARLY_FACTOR * bytes.len() {
+            return PreparedImage {
+                entry,
+                is_early: true,
+                area,
+                contrast,
+                lost_contrast,
+                ..Default::default()
+            };
         }
-        entry.preview_bytes = preview.len() as u64;
-        PreparedImage { entry, preview, is_early: false, area, lost_contrast }
+        entry.preview_bytes = bytes.len() as u64;
+        PreparedImage { entry, preview: bytes, is_early: false, area, contrast, lost_contrast }
     };
     let total = scene.images().len() as u64;
     let images = scene.images().iter().enumerate().map(|(index, image)| {
@@ -81,33 +87,55 @@ pub(super) fn prepare(
     images.collect()
 }
 
+/// A preview with its measures.
+struct SmallImage {
+    bytes: Vec<u8>,
+    average: [u8; 4],
+    contrast: f64,
+    lost_contrast: f64,
+}
+
 #[cfg(feature = "textures")]
-fn preview_of(bytes: &[u8], role: TextureRole, max_side: u32) -> Option<(Vec<u8>, [u8; 4], f64)> {
+fn preview_of(bytes: &[u8], role: TextureRole, max_side: u32) -> Option<SmallImage> {
     use crate::textures::{TextureTransfer, preview};
 
     // Colors decide how a small picture looks; other maps are good enough at half of the size.
     let max_side = if role.transfer == TextureTransfer::Srgb { max_side } else { max_side.div_ceil(2) };
     let preview = preview(bytes, role, max_side)?;
-    Some((preview.image.bytes, preview.average, f64::from(preview.lost_contrast)))
+    Some(SmallImage {
+        bytes: preview.image.bytes,
+        average: preview.average,
+        contrast: f64::from(preview.contrast),
+        lost_contrast: f64::from(preview.lost_contrast),
+    })
 }
 
 #[cfg(not(feature = "textures"))]
-fn preview_of(_: &[u8], _: TextureRole, _: u32) -> Option<(Vec<u8>, [u8; 4], f64)> {
+fn preview_of(_: &[u8], _: TextureRole, _: u32) -> Option<SmallImage> {
     None
 }
 
 impl PreparedImage {
-    /// Returns the bytes of the image and the geometric error that it stands for, in a scene with this diagonal.
-    pub(super) fn costs(&self, image: usize, diagonal: f64) -> WholeCosts {
-        let error = if diagonal > 0.0 { self.area * self.lost_contrast / (4.0 * diagonal) } else { 0.0 };
+    /// Returns the preview and the image with the geometric errors that they stand for, in a scene with this diagonal.
+    pub(super) fn costs(&self, image: usize, diagonal: f64) -> Vec<WholeCosts> {
+        let error_of = |contrast: f64| {
+            let error = self.area * contrast / (4.0 * diagonal);
+            if error.is_finite() { error } else { 0.0 }
+        };
+        let (bytes, preview_bytes) = (self.entry.bytes, self.preview.len() as u64);
         let item = Item::Image(image);
-        WholeCosts { item, bytes: self.entry.bytes, error: if error.is_finite() { error } else { 0.0 } }
-    }
-
-    /// Area per byte of what is sent early, by which previews are ordered.
-    pub(super) fn early_value(&self) -> f64 {
-        let bytes = if self.is_early { self.entry.bytes } else { self.entry.preview_bytes };
-        self.area / bytes.max(1) as f64
+        if bytes == 0 {
+            return Vec::new();
+        }
+        if preview_bytes == 0 {
+            let error = error_of(self.contrast.hypot(self.lost_contrast));
+            return vec![WholeCosts { item, bytes, error }];
+        }
+        let error = error_of(self.contrast);
+        let preview = WholeCosts { item: Item::Preview(image), bytes: preview_bytes, error };
+        // The preview comes first: an image that gains more per byte waits for it.
+        let most = error * bytes as f64 / preview_bytes as f64;
+        vec![preview, WholeCosts { item, bytes, error: error_of(self.lost_contrast).min(most) }]
     }
 }
 

@@ -95,40 +95,31 @@ impl Body {
         }
         packets.sizes.base_bytes = std::mem::take(&mut packets.sizes.refinement_bytes);
         let base_end = packets.bytes.len();
-        put_previews(&mut packets, scene, images);
-        let preview_end = packets.bytes.len();
-        put_refinement(&mut packets, scene, meshes, images, &parts[1]);
+        let preview_end = put_refinement(&mut packets, scene, meshes, images, &parts[1]);
         Self { packets, base_end, preview_end }
     }
 }
 
-/// Puts previews, and images that are hardly larger than a preview: the ones that cover most per byte first.
-fn put_previews(packets: &mut Packets, scene: &Scene, images: &[PreparedImage]) {
-    let mut early: Vec<usize> = (0..images.len()).collect();
-    early.retain(|&image| images[image].is_early || !images[image].preview.is_empty());
-    early.sort_by(|&a, &b| images[b].early_value().total_cmp(&images[a].early_value()));
-    for image in early {
-        if images[image].is_early {
-            packets.put_image(image, &scene.images()[image].bytes);
-        } else {
-            packets.put(PacketKind::Preview, image, &images[image].preview);
-        }
-    }
-}
-
-/// Puts the rest of all meshes, the images and the animations, in the order of the schedule.
+/// Puts the rest of all meshes, the previews, the images and the animations, in the order of the schedule. Returns the
+/// length of the packets until all previews are there, and the images that are sent instead of one.
 fn put_refinement(
     packets: &mut Packets,
     scene: &Scene,
     meshes: &[Option<MeshStream>],
     images: &[PreparedImage],
     animations: &[u8],
-) {
+) -> usize {
     let costs: Vec<MeshCosts> =
         meshes.iter().map(|mesh| mesh.as_ref().map(MeshStream::costs).unwrap_or_default()).collect();
-    let late = images.iter().enumerate().filter(|(_, image)| !image.is_early && image.entry.bytes > 0);
     let diagonal = scene.diagonal();
-    let mut others: Vec<_> = late.map(|(index, image)| image.costs(index, diagonal)).collect();
+    let is_early = |item: &Item| match item {
+        Item::Preview(_) => true,
+        Item::Image(image) => images[*image].is_early,
+        Item::Animations | Item::Chunks { .. } => false,
+    };
+    let mut others: Vec<_> =
+        images.iter().enumerate().flat_map(|(index, image)| image.costs(index, diagonal)).collect();
+    put_before_images(&mut others, &is_early);
     others.push(WholeCosts {
         item: Item::Animations,
         bytes: animations.len() as u64,
@@ -136,9 +127,12 @@ fn put_refinement(
     });
     let mut sent: Vec<usize> =
         meshes.iter().map(|mesh| mesh.as_ref().map_or(0, |mesh| mesh.info.base_bytes as usize)).collect();
+    let mut preview_end = packets.bytes.len();
     for item in schedule(&costs, &others, diagonal) {
+        let ends_previews = is_early(&item);
         match item {
             Item::Animations => packets.put(PacketKind::Buffer, 1, animations),
+            Item::Preview(image) => packets.put(PacketKind::Preview, image, &images[image].preview),
             Item::Image(image) => packets.put_image(image, &scene.images()[image].bytes),
             Item::Chunks { mesh, chunks } => {
                 let Some(stream) = &meshes[mesh] else { continue };
@@ -150,6 +144,21 @@ fn put_refinement(
                 }
             }
         }
+        if ends_previews {
+            preview_end = packets.bytes.len();
+        }
+    }
+    preview_end
+}
+
+/// Raises what early items gain, so that no whole image precedes one of them: the previews of all flat maps together are
+/// smaller than an image.
+fn put_before_images(items: &mut [WholeCosts], is_early: &impl Fn(&Item) -> bool) {
+    let is_late_image = |costs: &&WholeCosts| matches!(costs.item, Item::Image(_)) && !is_early(&costs.item);
+    let best = items.iter().filter(is_late_image).map(WholeCosts::rate).fold(0.0, f64::max);
+    for costs in items.iter_mut().filter(|costs| is_early(&costs.item)) {
+        // A little more, since the quotient is rounded.
+        costs.error = costs.error.max(best * costs.bytes.max(1) as f64 * (1.0 + 1e-9));
     }
 }
 
@@ -163,4 +172,29 @@ fn joined(lengths: impl Iterator<Item = usize>) -> Vec<usize> {
         }
     }
     joined
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::schedule::MeshCosts;
+    use super::*;
+
+    /// A preview of one color, and an image that gains much per byte, come in this order, whatever is between them.
+    #[test]
+    fn previews_precede_whole_images() {
+        let costs = |item, bytes, error| WholeCosts { item, bytes, error };
+        for bytes in [1, 3, 700, 12_345] {
+            let mut items = vec![
+                costs(Item::Image(0), 999, 7.0),
+                costs(Item::Image(1), 90, 0.0),
+                costs(Item::Preview(2), bytes, 0.0),
+            ];
+            put_before_images(&mut items, &|item| matches!(item, Item::Image(1) | Item::Preview(_)));
+            let mesh = MeshCosts { bytes: vec![100], gains: vec![1.0] };
+            let order = schedule(&[mesh], &items, 1.0);
+            let at = |item| order.iter().position(|other| *other == item);
+            assert!(at(Item::Preview(2)) < at(Item::Image(0)) && at(Item::Image(1)) < at(Item::Image(0)));
+            assert_eq!(order.len(), 4);
+        }
+    }
 }

@@ -7,9 +7,9 @@
 //! **Images.** An image cannot be shown in part, so it is one item. Its benefit is expressed as the geometric
 //! error that would change the picture as much. In a picture of the scene, an error `e` changes a
 //! strip of that width along outlines, which are about four diagonals long, by a contrast of a quarter: `e D`
-//! in all. A preview changes the area on which the image is seen (a quarter of the area of the surface, by
-//! Cauchy's formula) by the contrast it has lost, which was measured: `A c / 4`. So the image stands for an
-//! error of `A c / (4 D)`. Normals count half of it and other maps a quarter, because less of them shows in a
+//! in all. An image changes the area on which it is seen (a quarter of the area of the surface, by Cauchy's formula)
+//! by the contrast that its preview has lost, which was measured: `A c / 4`. So it stands for an error of
+//! `A c / (4 D)`, and its preview for the same with the contrast that its average color has lost. Normals count half of it and other maps a quarter, because less of them shows in a
 //! picture. The summed squared error `S` of all geometry that is still to come is, for this comparison, an error of
 //! `8 √S / D`: the largest error is about eight times the root mean square, and the surface about the squared diagonal.
 //!
@@ -37,6 +37,13 @@ pub(super) struct WholeCosts {
     pub error: f64,
 }
 
+impl WholeCosts {
+    /// Improvement per byte.
+    pub(super) fn rate(&self) -> f64 {
+        self.error / self.bytes.max(1) as f64
+    }
+}
+
 /// Largest error of a level as a multiple of the root mean square.
 const LARGEST_OF_RMS: f64 = 8.0;
 
@@ -52,6 +59,8 @@ pub(super) enum Item {
         mesh: usize,
         chunks: Range<usize>,
     },
+    /// The preview of the image with this index.
+    Preview(usize),
     /// The image with this index.
     Image(usize),
     /// The data of all animations.
@@ -82,9 +91,7 @@ pub(super) fn schedule(meshes: &[MeshCosts], others: &[WholeCosts], diagonal: f6
         parts.map(|(mesh, run)| Item::Chunks { mesh: *mesh, chunks: run.range.clone() }).collect()
     };
     let mut items: Vec<(f64, Vec<Item>)> = geometry.iter().map(|run| (run.rate(), chunks(run))).collect();
-    items.extend(
-        others.iter().map(|costs| (costs.error / costs.bytes.max(1) as f64, vec![costs.item.clone()])),
-    );
+    items.extend(others.iter().map(|costs| (costs.rate(), vec![costs.item.clone()])));
     items.sort_by(|(a, _), (b, _)| b.total_cmp(a));
     items.into_iter().flat_map(|(_, items)| items).collect()
 }

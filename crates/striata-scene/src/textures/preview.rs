@@ -16,6 +16,8 @@ pub struct Preview {
     pub full_size: (u32, u32),
     /// Average color, RGBA, for a placeholder.
     pub average: [u8; 4],
+    /// Root mean square difference between the pixels of the preview and its average color, 0 to 1.
+    pub contrast: f32,
     /// Root mean square difference between the pixels of the image and of the preview, 0 to 1.
     pub lost_contrast: f32,
 }
@@ -42,11 +44,12 @@ pub fn preview(bytes: &[u8], role: TextureRole, max_side: u32) -> Option<Preview
     let small = reduce(full, reduced_size(full.width, full.height, max_side), role);
     let keeps_alpha = decoded.has_alpha && role.alpha != AlphaUse::Unused;
     let image = smallest(&small, role, keeps_alpha).ok()?;
-    let average = reduce(&small, [1, 1], role).rgba;
+    let pixel = reduce(&small, [1, 1], role);
     Some(Preview {
         image,
         full_size: (full.width, full.height),
-        average: [average[0], average[1], average[2], average[3]],
+        average: [pixel.rgba[0], pixel.rgba[1], pixel.rgba[2], pixel.rgba[3]],
+        contrast: lost_contrast(&small, &pixel, keeps_alpha),
         lost_contrast: lost_contrast(full, &small, keeps_alpha),
     })
 }
@@ -81,7 +84,7 @@ fn rms(image: &Pixels, shown: &Pixels, other: impl Fn(usize) -> usize) -> f32 {
     (sum as f64 / (3 * pixels.len().max(1)) as f64).sqrt() as f32
 }
 
-/// Compares an image with its preview, enlarged by repeating pixels. If alpha matters, the difference of
+/// Compares an image with a smaller version, enlarged by repeating pixels. If alpha matters, the difference of
 /// opacity counts like one of color.
 fn lost_contrast(full: &Pixels, small: &Pixels, keeps_alpha: bool) -> f32 {
     let index = |at: usize| {

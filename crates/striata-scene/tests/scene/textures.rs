@@ -93,9 +93,10 @@ fn previews_are_small_and_look_alike() {
     let (near, far) = (small.get_pixel(2, 2), small.get_pixel(61, 61));
     assert!(near[0] < 60 && far[0] > 170, "{near:?} {far:?}");
     assert!(found.lost_contrast > 0.02 && found.lost_contrast < 0.2, "{}", found.lost_contrast);
+    assert!(found.contrast > found.lost_contrast && found.contrast < 0.5, "{}", found.contrast);
     let flat = encoded(&RgbaImage::from_pixel(300, 200, image::Rgba([9, 80, 200, 255])), Format::Png);
     let found = preview(&flat, COLOR, 64).unwrap();
-    assert_eq!((found.average, found.lost_contrast), ([9, 80, 200, 255], 0.0));
+    assert_eq!((found.average, found.contrast, found.lost_contrast), ([9, 80, 200, 255], 0.0, 0.0));
     assert_eq!(found.image.format, ImageFormat::Png, "PNG is smaller for flat images");
     assert_eq!((found.image.width, found.image.height), (64, 43));
     let covered = preview(&encoded(&picture(100, true, 6), Format::Png), COVERED, 64).unwrap();

@@ -69,7 +69,7 @@ impl<'a> ByteReader<'a> {
 
     /// Reads a block of bytes that is preceded by its length.
     pub(crate) fn block(&mut self) -> Result<&'a [u8], DecodeError> {
-        let length = self.u32()? as usize;
+        let length = self.varint()? as usize;
         self.bytes(length)
     }
 
@@ -110,14 +110,10 @@ pub(crate) fn write_varint(mut value: u32, out: &mut Vec<u8>) {
     out.push(value as u8);
 }
 
-pub(crate) fn put_u32(value: u32, out: &mut Vec<u8>) {
-    out.extend(value.to_le_bytes());
-}
-
-/// Appends a block of bytes, preceded by its length as a `u32`.
+/// Appends a block of bytes, preceded by its length as a varint.
 pub(crate) fn put_block(what: &'static str, bytes: &[u8], out: &mut Vec<u8>) -> Result<(), EncodeError> {
     let length = bytes.len();
-    put_u32(u32::try_from(length).map_err(|_| EncodeError::TooLong { what, length })?, out);
+    write_varint(u32::try_from(length).map_err(|_| EncodeError::TooLong { what, length })?, out);
     out.extend_from_slice(bytes);
     Ok(())
 }

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! 0   4 bytes  89 53 54 52
-//! 4   u8       version, 2
+//! 4   u8       version, 3
 //! 5   u8       effort
 //! 6   u16      flags; bit 0: positions are exact; bit 1: there are general batches;
 //!              bit 2: positions have an origin, three f64 after the grid;
@@ -11,6 +11,9 @@
 //! 12  u32      CRC-32 of the header without this field
 //! 16           counts, grid, layers, groups, appearance, metadata, chunks, data of triangles
 //! ```
+//!
+//! All lengths and counts are varints. The checksum of a chunk is in front of it rather than in the header, since the
+//! first picture waits for the header.
 
 use striata::file::{EncodeError, STREAM_MAGIC, appearance_from_bytes, appearance_to_bytes};
 use striata::mesh::Appearance;
@@ -23,7 +26,7 @@ use crate::layers::form::{LayerForm, ValueTransform};
 use crate::layers::triangle_data::TriangleData;
 
 /// The version that is written, and the only one that can be read.
-const VERSION: u8 = 2;
+const VERSION: u8 = 3;
 /// Length of the fixed first part of the header, bytes.
 pub(crate) const FIXED_HEADER_BYTES: usize = 16;
 const EXACT_FLAG: u16 = 1;
@@ -78,14 +81,28 @@ pub(crate) struct GroupName {
 /// Entry of the chunk table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ChunkEntry {
-    /// Length of the chunk, bytes.
+    /// Length of the chunk without its checksum, bytes.
     pub bytes: u32,
     /// Number of splits in this chunk and all chunks before it.
     pub split_count: u32,
     /// Error of the level before this chunk, mesh units, rounded up.
     pub error: f32,
-    /// CRC-32 of the chunk's bytes.
-    pub checksum: u32,
+}
+
+impl ChunkEntry {
+    /// Length of the chunk with its checksum, bytes.
+    pub(crate) fn stored_bytes(self) -> u64 {
+        CHECKSUM_BYTES as u64 + u64::from(self.bytes)
+    }
+}
+
+/// Length of the CRC-32 in front of each chunk, bytes.
+pub(crate) const CHECKSUM_BYTES: usize = 4;
+
+/// Appends a chunk and its checksum to a stream.
+pub(crate) fn put_chunk(chunk: &[u8], stream: &mut Vec<u8>) {
+    stream.extend(crc32fast::hash(chunk).to_le_bytes());
+    stream.extend_from_slice(chunk);
 }
 
 /// The header of a stream: all that a reader knows before the first chunk.
@@ -119,14 +136,13 @@ pub(crate) struct StreamHeader {
     pub triangle_data: Option<TriangleData>,
 }
 
-/// Returns the upper 16 bits of an error, rounded up.
-pub(crate) fn error_code(error: f32) -> u16 {
-    let bits = error.max(0.0).to_bits();
-    ((bits >> 16) + u32::from(bits & 0xffff != 0)).min(0x7f7f) as u16
-}
+/// Upper 16 bits of the largest finite error.
+const MAX_ERROR_CODE: u32 = 0x7f7f;
 
-fn error_from_code(code: u16) -> f32 {
-    f32::from_bits(u32::from(code) << 16)
+/// Returns the upper 16 bits of an error, rounded up.
+fn error_code(error: f32) -> u32 {
+    let bits = error.max(0.0).to_bits();
+    ((bits >> 16) + u32::from(bits & 0xffff != 0)).min(MAX_ERROR_CODE)
 }
 
 /// Returns the length of a header from its first bytes, or `None` if there are too few of them.
@@ -193,13 +209,14 @@ impl StreamHeader {
         self.layers.iter().for_each(|layer| layer.write(&mut out));
         self.names_to_bytes(&mut out)?;
         write_varint(self.chunks.len() as u32, &mut out);
-        let mut splits_before = 0;
+        let (mut splits_before, mut code_before) = (0, MAX_ERROR_CODE);
         for chunk in &self.chunks {
             write_varint(chunk.bytes, &mut out);
             write_varint(chunk.split_count - splits_before, &mut out);
-            out.extend(error_code(chunk.error).to_le_bytes());
-            out.extend(chunk.checksum.to_le_bytes());
-            splits_before = chunk.split_count;
+            // Errors never increase from level to level.
+            let code = error_code(chunk.error).min(code_before);
+            write_varint(code_before - code, &mut out);
+            (splits_before, code_before) = (chunk.split_count, code);
         }
         if let Some(data) = &self.triangle_data {
             write_varint(data.forms.len() as u32, &mut out);
@@ -278,7 +295,7 @@ impl StreamHeader {
             bytes => appearance_from_bytes(bytes).map_err(DecodeError::Appearance)?,
         };
         let mut metadata = Vec::new();
-        for _ in 0..reader.short_count(8)? {
+        for _ in 0..reader.short_count(2)? {
             metadata.push((reader.text()?, reader.text()?));
         }
         let chunks = read_chunks(&mut reader)?;
@@ -348,7 +365,7 @@ fn read_origin(reader: &mut ByteReader<'_>) -> Result<[f64; 3], DecodeError> {
 
 fn read_groups(reader: &mut ByteReader<'_>) -> Result<Vec<GroupName>, DecodeError> {
     let mut groups = Vec::new();
-    for _ in 0..reader.short_count(5)? {
+    for _ in 0..reader.short_count(2)? {
         let material = reader.varint()?.checked_sub(1);
         groups.push(GroupName { name: reader.text()?, material });
     }
@@ -366,23 +383,18 @@ fn read_triangle_data(reader: &mut ByteReader<'_>) -> Result<TriangleData, Decod
 }
 
 fn read_chunks(reader: &mut ByteReader<'_>) -> Result<Vec<ChunkEntry>, DecodeError> {
-    let count = reader.short_count(8)?;
+    let count = reader.short_count(3)?;
     let mut chunks = Vec::with_capacity(count);
-    let (mut split_count, mut last_error) = (0u32, f32::INFINITY);
+    let (mut split_count, mut code) = (0u32, MAX_ERROR_CODE);
     for _ in 0..count {
-        let (bytes, splits) = (reader.varint()?, reader.varint()?);
-        let code = reader.bytes(2)?;
-        let error = error_from_code(u16::from_le_bytes([code[0], code[1]]));
-        let checksum = reader.u32()?;
+        let (bytes, splits, fall) = (reader.varint()?, reader.varint()?, reader.varint()?);
         split_count = split_count.checked_add(splits).ok_or_else(|| reader.malformed("too many steps"))?;
-        if !(error >= 0.0 && error <= last_error && error.is_finite()) {
-            return Err(reader.malformed("the error of a chunk is larger than that of the chunk before"));
-        }
+        let fallen = code.checked_sub(fall);
+        code = fallen.ok_or_else(|| reader.malformed("the error of a chunk is negative"))?;
         if u64::from(splits) > MAX_SPLITS_PER_BYTE * (u64::from(bytes) + 1) {
             return Err(reader.malformed("a chunk has more splits than its length allows"));
         }
-        last_error = error;
-        chunks.push(ChunkEntry { bytes, split_count, error, checksum });
+        chunks.push(ChunkEntry { bytes, split_count, error: f32::from_bits(code << 16) });
     }
     Ok(chunks)
 }

@@ -50,7 +50,7 @@ pub struct StreamInfo {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct ChunkInfo {
-    /// Length of the chunk, bytes.
+    /// Length of the chunk with its checksum, bytes.
     pub bytes: u64,
     /// Number of vertex splits in this chunk and all chunks before it.
     pub split_count: usize,
@@ -85,15 +85,15 @@ impl StreamInfo {
 
     /// Returns the properties that a header states.
     pub(crate) fn of(header: &StreamHeader) -> Self {
-        let base_bytes = header.chunks.first().map_or(0, |chunk| u64::from(chunk.bytes));
+        let base_bytes = header.chunks.first().map_or(0, |chunk| chunk.stored_bytes());
         let chunk = |entry: &ChunkEntry| ChunkInfo {
-            bytes: u64::from(entry.bytes),
+            bytes: entry.stored_bytes(),
             split_count: entry.split_count as usize,
             error: entry.error,
         };
         Self {
             stream_bytes: header.length
-                + header.chunks.iter().map(|chunk| u64::from(chunk.bytes)).sum::<u64>()
+                + header.chunks.iter().map(|chunk| chunk.stored_bytes()).sum::<u64>()
                 + header.triangle_data.as_ref().map_or(0, |data| u64::from(data.bytes)),
             head_bytes: header.length,
             base_bytes: header.length + base_bytes,

@@ -3,7 +3,7 @@
 use striata::file::{SemanticCode, semantic_code, semantic_of};
 
 use super::form::{LayerForm, NumberType, ValueTransform};
-use crate::format::byte_reader::{ByteReader, put_u32};
+use crate::format::byte_reader::{ByteReader, write_varint};
 use crate::format::error::DecodeError;
 use crate::format::grid::{Axis, MAX_BITS};
 
@@ -25,8 +25,8 @@ impl LayerForm {
             transform,
             bits as u8,
         ]);
-        put_u32(set, out);
-        put_u32(name.len() as u32, out);
+        write_varint(set, out);
+        write_varint(name.len() as u32, out);
         out.extend(name.as_bytes());
         if let ValueTransform::Uniform { axes, .. } = &self.transform {
             for axis in axes {
@@ -44,7 +44,7 @@ impl LayerForm {
         let [code, number_type, component_count, normalized] =
             [reader.u8()?, reader.u8()?, reader.u8()?, reader.u8()?];
         let [transform, bits] = [reader.u8()?, reader.u8()?];
-        let set = reader.u32()?;
+        let set = reader.varint()?;
         let name = reader.text()?;
         let Some(semantic) = semantic_of(code, set, &name) else {
             return Err(reader.malformed("unknown semantic of a layer"));

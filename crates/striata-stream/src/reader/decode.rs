@@ -13,7 +13,7 @@ use crate::base::mesh::Base;
 use crate::entropy::RangeReader;
 use crate::format::error::{DecodeError, StreamDefect};
 use crate::format::header::{
-    ChunkEntry, FIXED_HEADER_BYTES, GroupName, StreamHeader, header_length, max_extra_wedges,
+    CHECKSUM_BYTES, ChunkEntry, FIXED_HEADER_BYTES, GroupName, StreamHeader, header_length, max_extra_wedges,
 };
 use crate::format::info::StreamInfo;
 use crate::layers::form::LayerForm;
@@ -143,11 +143,11 @@ impl StreamDecoder {
             self.read += length as u64;
             bytes = &bytes[length..];
         }
-        while let Some(entry) = self.next_entry().filter(|entry| entry.bytes as usize <= bytes.len()) {
-            let (chunk, rest) = bytes.split_at(entry.bytes as usize);
-            self.check_chunk(chunk, entry)?;
+        while let Some(entry) = self.next_entry().filter(|entry| entry.stored_bytes() <= bytes.len() as u64) {
+            let (stored, rest) = bytes.split_at(entry.stored_bytes() as usize);
+            let chunk = self.checked_chunk(stored)?;
             self.read_chunk(chunk, entry, rest.len(), true)?;
-            self.read += u64::from(entry.bytes);
+            self.read += entry.stored_bytes();
             self.chunk_count += 1;
             bytes = rest;
         }
@@ -209,7 +209,7 @@ impl StreamDecoder {
         self.is_over = true;
         if let Some(entry) = self.next_entry() {
             let rest = std::mem::take(&mut self.waiting);
-            let result = self.read_chunk(&rest, entry, 0, false);
+            let result = self.read_chunk(rest.get(CHECKSUM_BYTES..).unwrap_or(&[]), entry, 0, false);
             self.catch_up();
             result?;
         }
@@ -221,18 +221,15 @@ impl StreamDecoder {
         self.header.as_ref()?.chunks.get(self.chunk_count).copied()
     }
 
-    /// Compares a chunk's checksum with the one in the table.
-    fn check_chunk(&self, chunk: &[u8], entry: ChunkEntry) -> Result<(), StreamDefect> {
+    /// Returns the next chunk without the checksum in front of it, with which it is compared.
+    fn checked_chunk<'a>(&self, stored: &'a [u8]) -> Result<&'a [u8], StreamDefect> {
+        let (checksum, chunk) = stored.split_at(CHECKSUM_BYTES);
+        let expected = checksum.iter().rev().fold(0, |bits, &byte| bits << 8 | u32::from(byte));
         let found = crc32fast::hash(chunk);
-        if found == entry.checksum {
-            return Ok(());
+        if found == expected {
+            return Ok(chunk);
         }
-        Err(StreamDefect::Checksum {
-            chunk: self.chunk_count,
-            offset: self.read,
-            found,
-            expected: entry.checksum,
-        })
+        Err(StreamDefect::Checksum { chunk: self.chunk_count, offset: self.read, found, expected })
     }
 
     /// Decodes a chunk, complete or truncated. `more` is the number of bytes that are available after it.
@@ -287,9 +284,10 @@ impl StreamDecoder {
         }
     }
 
-    /// Number of bytes in the chunks that have been decoded.
+    /// Number of bytes in the chunks that have been decoded, without their checksums.
     fn body_bytes(&self) -> u64 {
-        self.header.as_ref().map_or(0, |header| self.read - header.length)
+        let checksums = (CHECKSUM_BYTES * self.chunk_count) as u64;
+        self.header.as_ref().map_or(0, |header| self.read - header.length - checksums)
     }
 
     /// Decodes the base mesh and sets up the refiner.
@@ -510,7 +508,7 @@ impl StreamDecoder {
     pub fn bytes_for(&self, split_count: usize) -> Option<u64> {
         let header = self.header.as_ref()?;
         let chunks = header.chunks.partition_point(|entry| (entry.split_count as usize) < split_count) + 1;
-        let bytes: u64 = header.chunks.get(..chunks)?.iter().map(|entry| u64::from(entry.bytes)).sum();
+        let bytes: u64 = header.chunks.get(..chunks)?.iter().map(|entry| entry.stored_bytes()).sum();
         Some(bytes + header.length)
     }
 

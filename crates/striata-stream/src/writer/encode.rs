@@ -7,7 +7,7 @@ use crate::base::coder::BaseLimits;
 use crate::entropy::PART_COUNT;
 use crate::format::effort::Effort;
 use crate::format::grid::{GridError, PositionGrid};
-use crate::format::header::{ChunkEntry, GroupName, MAX_COMPONENTS, StreamHeader};
+use crate::format::header::{ChunkEntry, GroupName, MAX_COMPONENTS, StreamHeader, put_chunk};
 use crate::layers::form::LayerForm;
 use crate::layers::layer_neighborhood::LayerValues;
 use crate::layers::options::LayerOptions;
@@ -202,7 +202,7 @@ pub fn encode_stream_with_progress(
     let (entry, data) = data.unzip();
     header.triangle_data = entry;
     let mut bytes = header.to_bytes()?;
-    chunks.chunks.iter().for_each(|chunk| bytes.extend_from_slice(&chunk.bytes));
+    chunks.chunks.iter().for_each(|chunk| put_chunk(&chunk.bytes, &mut bytes));
     bytes.extend(data.into_iter().flatten());
     let sizes = StreamSizes::of(bytes.len(), &chunks.spent);
     Ok(EncodedStream { bytes, sizes, source_vertex })
@@ -367,8 +367,7 @@ fn header_of(
         let batch = batches.partition_point(|&first| first <= before).saturating_sub(1);
         let error = batches.get(batch).map_or(0.0, |&first| sequence.error_at(first as usize));
         before = chunk.split_count;
-        let checksum = crc32fast::hash(&chunk.bytes);
-        ChunkEntry { bytes: chunk.bytes.len() as u32, split_count: chunk.split_count, error, checksum }
+        ChunkEntry { bytes: chunk.bytes.len() as u32, split_count: chunk.split_count, error }
     });
     StreamHeader {
         length: 0,

@@ -11,7 +11,9 @@ use striata::{Progress, ProgressFn, ignore_progress};
 
 use crate::StreamDecoder;
 use crate::entropy::{PART_COUNT, RangeWriter};
-use crate::format::header::{ChunkEntry, min_bytes_of_fragments, min_chunk_bytes, min_total_bytes};
+use crate::format::header::{
+    ChunkEntry, min_bytes_of_fragments, min_chunk_bytes, min_total_bytes, put_chunk,
+};
 use crate::fragments::record::{CodedFragment, FragmentCoder};
 use crate::fragments::values::{ValueCoder, VertexValues};
 use crate::writer::chunks::chunk_end;
@@ -78,7 +80,7 @@ pub fn encode_fragments_with_progress(
         encode_splits(&base_of(fragmented), &[0], &plan, progress)?;
     let mut decoder = StreamDecoder::new();
     let mut base = header.to_bytes()?;
-    chunks.chunks.iter().for_each(|chunk| base.extend_from_slice(&chunk.bytes));
+    chunks.chunks.iter().for_each(|chunk| put_chunk(&chunk.bytes, &mut base));
     decoder.push(&base).map_err(|_| BatchDefect::Dependent { batch: 0 })?;
     let base_vertex_count = source.len() as u32;
     source.extend(base_vertex_count..totals.vertex_count);
@@ -95,7 +97,7 @@ pub fn encode_fragments_with_progress(
         spent.iter_mut().zip(bits).for_each(|(sum, bits)| *sum += bits);
         bodies.push(bytes);
         let error = levels.error_at(done);
-        header.chunks.push(ChunkEntry { bytes: 0, split_count: end as u32, error, checksum: 0 });
+        header.chunks.push(ChunkEntry { bytes: 0, split_count: end as u32, error });
         done = end;
     }
     header.max_patch = u32::try_from(writer.exchanged).unwrap_or(u32::MAX);
@@ -107,14 +109,14 @@ pub fn encode_fragments_with_progress(
         last.resize(last.len() + least.saturating_sub(coded), 0);
     }
     for (entry, body) in header.chunks.iter_mut().zip(&bodies) {
-        (entry.bytes, entry.checksum) = (body.len() as u32, crc32fast::hash(body));
+        entry.bytes = body.len() as u32;
     }
     header.chunks[0].error = levels.error_at(0);
     header.has_fragments = true;
     (header.position_count, header.vertex_count) = (totals.position_count, totals.vertex_count);
     (header.triangle_count, header.step_count) = (mesh.triangle_count() as u32, step_count as u32);
     let mut bytes = header.to_bytes()?;
-    bodies.iter().for_each(|body| bytes.extend_from_slice(body));
+    bodies.iter().for_each(|body| put_chunk(body, &mut bytes));
     let sizes = StreamSizes::of(bytes.len(), &spent);
     Ok(EncodedStream { bytes, sizes, source_vertex: source })
 }

@@ -84,31 +84,33 @@ fn put_varint(mut number: u32, out: &mut Vec<u8>) {
 type Counts = [u32; 5];
 
 /// A chunk as listed in a head.
-struct ListedChunk<'a> {
+struct ListedChunk {
     /// Number of bytes that the head claims.
     claimed: u32,
     /// Number of splits that the head claims.
     splits: u32,
-    bytes: &'a [u8],
+}
+
+/// Appends a chunk with its checksum.
+fn put_chunk(chunk: &[u8], out: &mut Vec<u8>) {
+    out.extend(crc32fast::hash(chunk).to_le_bytes());
+    out.extend(chunk);
 }
 
 /// A head without names, layers and groups. Values of `effort` from 2 on: with general batches.
-fn head(effort: u8, counts: Counts, chunks: &[ListedChunk<'_>]) -> Vec<u8> {
+fn head(effort: u8, counts: Counts, chunks: &[ListedChunk]) -> Vec<u8> {
     let mut out = b"\x89STR".to_vec();
     let flags = if effort < 2 { 0 } else { 2 };
-    out.extend([2, effort % 2, flags, 0]);
+    out.extend([3, effort % 2, flags, 0]);
     out.extend([0; 8]);
     counts.into_iter().for_each(|n| put_varint(n, &mut out));
     out.push(14);
     out.extend([0; 12]);
     out.extend(1f64.to_le_bytes());
-    out.extend([0, 0, 0, 0, 0, 0, 0]);
+    out.extend([0; 4]);
     put_varint(chunks.len() as u32, &mut out);
-    for &ListedChunk { claimed, splits, bytes } in chunks {
-        put_varint(claimed, &mut out);
-        put_varint(splits, &mut out);
-        out.extend([0; 2]);
-        out.extend(crc32fast::hash(bytes).to_le_bytes());
+    for &ListedChunk { claimed, splits } in chunks {
+        [claimed, splits, 0].into_iter().for_each(|n| put_varint(n, &mut out));
     }
     let length = out.len() as u32;
     out[8..12].copy_from_slice(&length.to_le_bytes());
@@ -121,11 +123,11 @@ fn triangle() -> IndexedMesh {
     IndexedMesh::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], vec![[0, 1, 2]])
 }
 
-/// The first chunk of a stream of one triangle.
+/// The first chunk of a stream of one triangle, without its checksum.
 fn base_of_a_triangle() -> Vec<u8> {
     let bytes = stream_of(&triangle(), &StreamOptions::default());
     let info = StreamInfo::read(&bytes).unwrap().unwrap();
-    bytes[info.head_bytes as usize..].to_vec()
+    bytes[info.head_bytes as usize + 4..].to_vec()
 }
 
 #[test]
@@ -133,12 +135,12 @@ fn a_head_that_claims_billions_does_not_allocate_them() {
     let base = base_of_a_triangle();
     let steps = 3_000_000_000;
     let chunks = [
-        ListedChunk { claimed: base.len() as u32, splits: 0, bytes: &base },
-        ListedChunk { claimed: steps / 256, splits: steps, bytes: &[] },
+        ListedChunk { claimed: base.len() as u32, splits: 0 },
+        ListedChunk { claimed: steps / 256, splits: steps },
     ];
     for effort in 0..4 {
         let mut bytes = head(effort, [3 + steps, 3 + steps, 1, steps, 7], &chunks);
-        bytes.extend(&base);
+        put_chunk(&base, &mut bytes);
         let mut decoder = StreamDecoder::new();
         let update = decoder.push(&bytes).unwrap();
         assert_eq!((update.vertices, update.triangles), (0..3, 0..1));
@@ -150,11 +152,11 @@ fn a_head_that_claims_billions_does_not_allocate_them() {
 /// Number of vertices that a first chunk gives if the head promises billions; 0 if it is rejected.
 fn vertices_of(chunk: &[u8]) -> usize {
     let chunks = [
-        ListedChunk { claimed: chunk.len() as u32, splits: 0, bytes: chunk },
-        ListedChunk { claimed: 16 << 20, splits: 0, bytes: &[] },
+        ListedChunk { claimed: chunk.len() as u32, splits: 0 },
+        ListedChunk { claimed: 16 << 20, splits: 0 },
     ];
     let mut bytes = head(1, [3, u32::MAX, 1, 0, 7], &chunks);
-    bytes.extend(chunk);
+    put_chunk(chunk, &mut bytes);
     let mut decoder = StreamDecoder::new();
     let result = decoder.push(&bytes);
     check(&decoder);
@@ -198,12 +200,12 @@ fn random_chunks_give_an_error_or_a_mesh() {
             (0..count).map(byte).collect::<Vec<u8>>()
         });
         let chunks = [
-            ListedChunk { claimed: base.len() as u32, splits: 0, bytes: &base },
-            ListedChunk { claimed: splits.len() as u32, splits: steps, bytes: &splits },
+            ListedChunk { claimed: base.len() as u32, splits: 0 },
+            ListedChunk { claimed: splits.len() as u32, splits: steps },
         ];
         let mut bytes = head((round % 6) as u8, counts, &chunks);
-        bytes.extend(&base);
-        bytes.extend(&splits);
+        put_chunk(&base, &mut bytes);
+        put_chunk(&splits, &mut bytes);
         let mut decoder = StreamDecoder::new();
         let result = decoder.push(&bytes);
         check(&decoder);
@@ -320,9 +322,8 @@ fn unusual_valid_meshes_are_decoded() {
 #[test]
 fn rejects_unknown_flags_and_too_many_layers() {
     let base = base_of_a_triangle();
-    let mut bytes =
-        head(1, [3, 3, 1, 0, 0], &[ListedChunk { claimed: base.len() as u32, splits: 0, bytes: &base }]);
-    bytes.extend(&base);
+    let mut bytes = head(1, [3, 3, 1, 0, 0], &[ListedChunk { claimed: base.len() as u32, splits: 0 }]);
+    put_chunk(&base, &mut bytes);
     StreamDecoder::new().push(&bytes).unwrap();
     bytes[6] = 32;
     let error = read_with_correct_checksums(&mut bytes).map(|_| ()).unwrap_err();

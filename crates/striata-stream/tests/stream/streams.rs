@@ -424,15 +424,15 @@ fn streams_of_other_versions_are_refused() {
     let mut bytes = write(&shapes::icosphere(1, 1.0), &StreamOptions::default()).stream.bytes;
     bytes[4] = 1;
     let error = StreamDecoder::new().push(&bytes).unwrap_err();
-    assert_eq!(error, DecodeError::Version { found: 1, supported: 2 });
+    assert_eq!(error, DecodeError::Version { found: 1, supported: 3 });
     assert_eq!(
         error.to_string(),
-        "the stream has format version 1, but this reader supports only version 2; an older version of striata made \
+        "the stream has format version 1, but this reader supports only version 3; an older version of striata made \
          it, so it must be encoded again"
     );
-    bytes[4] = 3;
+    bytes[4] = 4;
     let error = StreamDecoder::new().push(&bytes).unwrap_err();
-    assert_eq!(error.to_string(), "the stream has format version 3, but this reader supports only version 2");
+    assert_eq!(error.to_string(), "the stream has format version 4, but this reader supports only version 3");
 }
 
 /// Run by hand after a change of the bitstream format: `cargo test --release --test stream -- --ignored`.

@@ -84,7 +84,7 @@ pub(in crate::simplify) struct Simplifier<'a> {
 pub(in crate::simplify) struct PartOfMesh {
     /// Diagonal of the mesh, mesh units.
     pub scale: f64,
-    /// Whether it has locked positions where it was cut.
+    /// Whether the part was cut out of a larger mesh, whose positions along the cut are locked.
     pub is_cut: bool,
     /// Keys as in [`PartOrder`].
     pub latest: Vec<f32>,

@@ -16,7 +16,7 @@ use crate::parallel;
 
 /// Samples of the original for each triangle of the level.
 const SAMPLES: f64 = 4.0;
-/// Number of samples whose partners are found by one thread, each beginning where the last one ended.
+/// Number of samples whose partners one thread finds in order, so that each search can begin at the partner found before.
 const CHUNK: usize = 1 << 12;
 /// Points of a triangle of the level, each for a third of its area.
 const POINTS: [[f64; 3]; 3] =
