@@ -143,7 +143,7 @@ def call(verb, points, faces, arguments):
 
 @given(st.binary(max_size=200), st.integers(0, 4))
 def test_random_bytes_are_errors_or_meshes(data, kind):
-    starts = [b"", b"STRIATA\0", b"\x89STR\x02", b"\x89SCN\x01", b"ply\n"]
+    starts = [b"", b"STRIATA\0", b"\x89STR\x03", b"\x89SCN\x01", b"ply\n"]
     try:
         striata.decode(starts[kind] + data)
     except striata.DecodeError as error:

@@ -60,18 +60,21 @@ fn check_project(package: &Value, kit: &Path, tarball: &Path) -> Result<()> {
     steps::run_twice(Command::new("npm").args(["install", "--no-audit", "--no-fund"]).current_dir(&folder))?;
     steps::run(Command::new("npx").args(["vite", "build", "--target", "es2022"]).current_dir(&folder))?;
     let built = files(&folder.join("dist/assets"))?;
-    for module in files(&workspace().join("web/dist"))?.iter().filter(|file| is_wasm(file)) {
-        let stem = module.file_stem().unwrap_or_default().to_string_lossy();
-        let is_copy = |file: &&PathBuf| {
-            is_wasm(file) && file.file_name().is_some_and(|name| name.to_string_lossy().starts_with(&*stem))
-        };
-        ensure!(built.iter().any(|file| is_copy(&file)), "the built project has no {stem}.wasm");
+    for module in files(&workspace().join("web/dist"))?.iter().filter_map(|file| wasm_stem(file)) {
+        let is_built = built.iter().filter_map(|file| wasm_stem(file)).any(|name| is_hashed(name, module));
+        ensure!(is_built, "the built project has no {module}.wasm");
     }
     Ok(())
 }
 
-fn is_wasm(file: &Path) -> bool {
-    file.extension().is_some_and(|extension| extension == "wasm")
+/// Name of a wasm file without its extension.
+fn wasm_stem(file: &Path) -> Option<&str> {
+    file.file_name()?.to_str()?.strip_suffix(".wasm")
+}
+
+/// Whether a name is another one with a hash, as Vite appends: a dash and eight characters.
+fn is_hashed(name: &str, original: &str) -> bool {
+    name.strip_prefix(original).is_some_and(|hash| hash.len() == 9 && hash.starts_with('-'))
 }
 
 fn files(folder: &Path) -> Result<Vec<PathBuf>> {
@@ -103,6 +106,12 @@ mod tests {
     use serde_json::json;
 
     use super::*;
+
+    #[test]
+    fn hashed_names_are_those_of_one_file() {
+        assert!(is_hashed("striata-DBfLg-EI", "striata"));
+        assert!(!is_hashed("striata-builder-BocNRUEp", "striata") && !is_hashed("striata", "striata"));
+    }
 
     #[test]
     fn exports_without_a_file_are_refused() {
